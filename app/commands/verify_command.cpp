@@ -4,6 +4,7 @@
 #include "app/commands/parse_command.h"
 #include "app/commands/progress.h"
 #include "engine/base/message_code.h"
+#include "engine/base/plain_text.h"
 #include "engine/model/experiment.h"
 #include "engine/recording/session_verify.h"
 
@@ -24,10 +25,16 @@ constexpr const char* kAllReadable =
 void print(const SessionFinding& finding) {
     static constexpr const char* kWords[] = {"changed", "removed", "added"};
     std::printf("%s", finding.table.c_str());
-    if (finding.row > 0)
+    if (!finding.name.empty())
+        std::printf(", %s%s%s", finding.type.c_str(), finding.type.empty() ? "" : " ",
+                    printable(finding.name).c_str());
+    else if (finding.lastRow > 0)
+        std::printf(", rows %lld to %lld", static_cast<long long>(finding.row),
+                    static_cast<long long>(finding.lastRow));
+    else if (finding.row > 0)
         std::printf(", row %lld", static_cast<long long>(finding.row));
     if (finding.time_s)
-        std::printf(", %s s", formatNumber(*finding.time_s, 6).c_str());
+        std::printf(", %s%s s", finding.isAfter ? "after " : "", formatNumber(*finding.time_s, 6).c_str());
     std::printf(": %s\n", kWords[static_cast<int>(finding.kind)]);
 }
 
@@ -50,6 +57,8 @@ const char* sealWords(const SessionVerdict& verdict) {
         return "no byte of the file has changed since it was sealed";
     case Seal::Broken:
         return "the file has changed since it was sealed";
+    case Seal::Removed:
+        return "removed: Bask seals a recording that says how it ended";
     case Seal::None:
         break;
     }
@@ -82,7 +91,8 @@ bool tell(const SessionVerdict& verdict, const std::string& expectedHead) {
                   "with sqlite3 and its command .recover");
         return false;
     }
-    std::printf("head: %s\nseal: %s\n", verdict.head.c_str(), sealWords(verdict));
+    std::printf("head: %s\nseal: %s\n", verdict.head.empty() ? "none" : verdict.head.c_str(),
+                sealWords(verdict));
     if (!expectedHead.empty() && verdict.expectedLink == 0) {
         std::puts("altered: the head is not the one that is expected, and never was");
         return false;
@@ -95,8 +105,9 @@ bool tell(const SessionVerdict& verdict, const std::string& expectedHead) {
         std::puts("intact");
         return true;
     }
-    std::puts(verdict.allFindings > 0
-                  ? "altered: the rows above are not as they were recorded"
+    std::puts(verdict.allFindings > 0 ? "altered: what is named above is not as it was recorded"
+              : verdict.seal == Seal::Removed
+                  ? "altered: the seal was removed; tags, and bytes that are in no row, may have been changed"
                   : "altered: in tags, or in bytes of the file that are in no row; an older Bask "
                     "that changed the tags does that too");
     return false;

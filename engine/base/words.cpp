@@ -103,6 +103,7 @@ constexpr std::array kDevices{
 constexpr std::array kDamages{
     same(QT_TRANSLATE_NOOP("Damage", "its database is not whole")),
     same(QT_TRANSLATE_NOOP("Damage", "it is cut short")),
+    same(QT_TRANSLATE_NOOP("Damage", "the header of its database was written over")),
     same(QT_TRANSLATE_NOOP("Damage", "it has a format number that no version has")),
     same(QT_TRANSLATE_NOOP("Damage", "a sample is missing")),
     same(QT_TRANSLATE_NOOP("Damage", "it does not say whether the rig was simulated")),

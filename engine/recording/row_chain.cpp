@@ -46,6 +46,10 @@ void append(QByteArray& out, const SqlValue& value) {
 
 } // namespace
 
+bool isKnown(ChainTable table) {
+    return table >= ChainTable::Schema && static_cast<int>(table) < kChainTables;
+}
+
 const char* tableName(ChainTable table) {
     return kNames.at(static_cast<std::size_t>(table));
 }
@@ -108,11 +112,8 @@ std::optional<ChainLink> linkOf(std::span<const SqlValue> row) {
     ChainLink link;
     link.number = *number;
     for (std::size_t at = 0; at < checks->bytes.size(); at += kEntryBytes) {
-        const auto table = static_cast<unsigned char>(checks->bytes[at]);
-        if (table < 1 || table >= kChainTables)
-            return std::nullopt;
         ChainLink::Entry& entry = link.rows.emplace_back();
-        entry.table = static_cast<ChainTable>(table);
+        entry.table = static_cast<ChainTable>(checks->bytes[at]);
         std::memcpy(&entry.check, checks->bytes.data() + at + 1, sizeof entry.check);
     }
     std::memcpy(link.hash.data(), hash->bytes.data(), link.hash.size());

@@ -34,6 +34,16 @@ enum class ChainTable : unsigned char {
 };
 inline constexpr int kChainTables = static_cast<int>(ChainTable::Prediction) + 1;
 
+constexpr std::size_t tableIndex(ChainTable table) {
+    return static_cast<std::size_t>(table);
+}
+/// Whether the number is that of a table: one in a file may be any.
+bool isKnown(ChainTable table);
+/// Whether the rows are chained in no order that the file keeps.
+constexpr bool isUnordered(ChainTable table) {
+    return table == ChainTable::Schema || table == ChainTable::Meta;
+}
+
 /// The name in the file; sqlite_master for the schema.
 const char* tableName(ChainTable table);
 /// Returns the statement that reads the rows of a table as they are hashed, in the order of their making;
@@ -59,7 +69,7 @@ struct ChainLink {
 std::uint32_t checkOf(const Digest& digest);
 Digest chained(const Digest& before, std::span<const Digest> digests);
 std::array<SqlValue, 3> rowOf(const ChainLink& link);
-/// Empty if the row is none.
+/// Empty if the row is none. Its tables may be unknown ones.
 std::optional<ChainLink> linkOf(std::span<const SqlValue> row);
 
 /// Returns the last link of a file; empty if it has no chain, or one that is damaged.

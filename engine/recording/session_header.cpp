@@ -187,7 +187,7 @@ Result<void> putFactSealed(const std::string& path, const std::string& key, cons
     if (!seal)
         return seal.error();
     // What was altered is not sealed anew.
-    auto done = putFact(path, key, value, *seal != Seal::Broken);
+    auto done = putFact(path, key, value, mayBeSealed(*seal));
     return done ? sealSession(path) : done;
 }
 

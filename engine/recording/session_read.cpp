@@ -50,7 +50,11 @@ Result<void> sealCopy(const std::string& path) {
         if (*hasSeal)
             done = (*store)->select("SELECT 1 FROM seal", [&](SessionStore::Row) { isClosed = true; });
         if (done && isClosed)
+            done = (*store)->execute("BEGIN");
+        if (done && isClosed)
             done = makeSeal(**store);
+        if (done && isClosed)
+            done = (*store)->execute("COMMIT");
         if (!done)
             return done;
     }
@@ -144,7 +148,7 @@ Result<void> copySession(const std::string& from, const std::string& to) {
         copied = Error(MessageCode::FileUnwritable, to, {describe(copied.error().message)});
     if (copied)
         copied = putInPlace(part, to);
-    if (copied && *seal != Seal::Broken) // its pages lie in another order
+    if (copied && mayBeSealed(*seal)) // its pages lie in another order
         copied = sealCopy(to);
     return copied;
 }

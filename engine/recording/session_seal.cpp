@@ -20,25 +20,39 @@ namespace {
 constexpr std::size_t kBytes = Digest().size();
 constexpr const char* kRoom = "Bask: no seal. "; ///< begins what stands for a seal that is not there yet
 
-/// The seal's bytes; empty where the file has none.
-Result<std::string> sealIn(const std::string& path) {
-    const auto store = SessionStore::open(path);
+struct StoredSeal {
+    std::string bytes;      ///< empty: none
+    bool isRemoved = false; ///< there has to be one
+};
+
+Result<StoredSeal> sealIn(const std::string& path) {
+    const auto store = SessionStore::openAltered(path);
     if (!store)
         return store.error();
-    const auto hasSeal = (*store)->hasTable("seal");
-    if (!hasSeal)
-        return hasSeal.error();
-    std::string bytes;
-    Result<void> done;
-    if (*hasSeal)
-        done = (*store)->select("SELECT hash FROM seal LIMIT 1", [&](SessionStore::Row row) {
-            if (const auto* blob = std::get_if<SqlBlob>(&row[0]);
-                blob != nullptr && blob->bytes.size() == kBytes)
-                bytes = blob->bytes;
+    bool hasChain = false, hasSeal = false, hasMeta = false;
+    auto done = (*store)->select(
+        "SELECT name, sql FROM sqlite_master WHERE type = 'table' AND name IN ('chain', 'seal', 'meta')",
+        [&](SessionStore::Row row) {
+            const std::string name = textOf(row[0]), sql = textOf(row[1]);
+            hasChain = hasChain || sql == kCreateChain;
+            hasSeal = hasSeal || sql == kCreateSeal;
+            hasMeta = hasMeta || (name == "meta" && SessionStore::isPlainTable(sql));
         });
+    StoredSeal seal;
+    bool hasEnd = false, isThere = false;
+    if (done && hasSeal)
+        done = (*store)->select("SELECT hash FROM seal LIMIT 1", [&](SessionStore::Row row) {
+            isThere = true;
+            if (const auto* blob = std::get_if<SqlBlob>(&row[0]))
+                seal.bytes = blob->bytes;
+        });
+    if (done && hasMeta)
+        done = (*store)->select("SELECT 1 FROM meta WHERE key IN ('outcome', 'finished') LIMIT 1",
+                                [&](SessionStore::Row) { hasEnd = true; });
     if (!done)
         return done.error();
-    return bytes;
+    seal.isRemoved = hasChain && (!hasSeal || (hasEnd && !isThere));
+    return seal;
 }
 
 /// A file in memory, as far as it is looked at; one descriptor for reading and writing.
@@ -115,7 +129,7 @@ bool hasLog(const QString& file, bool countsEmpty = true) {
 }
 
 bool isRoom(const std::string& seal) {
-    return seal.starts_with(kRoom);
+    return seal.size() == kBytes && seal.starts_with(kRoom);
 }
 
 } // namespace
@@ -135,10 +149,10 @@ Result<void> sealSession(const std::string& path) {
     const auto seal = sealIn(path);
     if (!seal)
         return seal.error();
-    if (!isRoom(*seal))
+    if (!isRoom(seal->bytes))
         return {};
     MappedFile mapped(file, QIODevice::ReadWrite);
-    const std::ptrdiff_t place = mapped.isOpen() ? mapped.placeOf(*seal) : -1;
+    const std::ptrdiff_t place = mapped.isOpen() ? mapped.placeOf(seal->bytes) : -1;
     if (place < 0)
         return {};
     const std::string hash = mapped.hashWithout(place);
@@ -150,19 +164,21 @@ Result<void> sealSession(const std::string& path) {
 }
 
 Result<Seal> lookAtSeal(const std::string& path, bool isAlone, const ShareDone& done) {
-    const QString file = fileOf(path);
-    if (hasLog(file, !isAlone))
-        return Seal::None;
     const auto seal = sealIn(path);
     if (!seal)
         return seal.error();
-    if (seal->empty() || isRoom(*seal))
+    if (seal->isRemoved)
+        return Seal::Removed;
+    const QString file = fileOf(path);
+    if (hasLog(file, !isAlone) || seal->bytes.empty() || isRoom(seal->bytes))
         return Seal::None;
+    if (seal->bytes.size() != kBytes)
+        return Seal::Broken;
     const MappedFile mapped(file, QIODevice::ReadOnly);
     if (!mapped.isOpen())
         return Error(MessageCode::FileUnreadable, path, {mapped.words()});
-    const std::ptrdiff_t place = mapped.placeOf(*seal);
-    return place >= 0 && mapped.hashWithout(place, done) == *seal ? Seal::Holds : Seal::Broken;
+    const std::ptrdiff_t place = mapped.placeOf(seal->bytes);
+    return place >= 0 && mapped.hashWithout(place, done) == seal->bytes ? Seal::Holds : Seal::Broken;
 }
 
 } // namespace bask

@@ -120,6 +120,7 @@ struct SessionStore::Impl {
     std::string path;
     bool writes = false;
     bool isDamaged = false;
+    bool isMarked = true;
     int version = kSessionVersion;
     QString connection;
     QSqlDatabase database;
@@ -189,6 +190,16 @@ Result<std::unique_ptr<SessionStore>> SessionStore::create(const std::string& pa
 
 namespace {
 
+// Of SQLite's header, where a file says what it is (https://www.sqlite.org/fileformat2.html, section 1.3).
+constexpr qsizetype kHeaderSize = 100, kFractionsAt = 21, kMarkAt = 68;
+constexpr std::string_view kMagic("SQLite format 3\0", 16);
+constexpr std::string_view kFractions("\x40\x20\x20"); ///< three numbers that are the same in every database
+constexpr std::string_view kMark("Bask");              ///< kSessionApplicationId
+
+bool hasAt(const QByteArray& header, qsizetype at, std::string_view bytes) {
+    return header.mid(at, static_cast<qsizetype>(bytes.size())).toStdString() == bytes;
+}
+
 /// Is it one of the views that Bask makes: columns of `step`, for each object or once?
 bool isOwnView(const QString& sql) {
     static const QRegularExpression kBegin(QStringLiteral(
@@ -204,37 +215,36 @@ bool isOwnView(const QString& sql) {
 /// A file from elsewhere must not compute when it is read: a view may never end, a generated column fill the
 /// memory.
 bool isHarmless(const SqlValue& schemaSql, int version) {
-    static const QRegularExpression kGenerated(QStringLiteral(R"(\bAS\b)"),
-                                               QRegularExpression::CaseInsensitiveOption);
     if (std::holds_alternative<std::monostate>(schemaSql)) // SQLite's own index
         return true;
+    if (SessionStore::isPlainTable(textOf(schemaSql)))
+        return true;
     const QString sql = QString::fromStdString(textOf(schemaSql));
-    if (sql.startsWith(QStringLiteral("CREATE TABLE ")))
-        return !kGenerated.match(sql).hasMatch();
     return sql.startsWith(QStringLiteral("CREATE INDEX ")) ||
            sql.startsWith(QStringLiteral("CREATE UNIQUE INDEX ")) || (version > 1 && isOwnView(sql));
 }
 
 /// Says in words that a database without a log beside it is shorter than its own header says. A file that has
 /// a log is not looked at: closing it here would drop the locks of a connection that records into it.
-Result<void> checkHeader(const std::string& path, bool mayBeShort) {
+Result<void> checkHeader(const std::string& path, bool mayBeShort, bool mayBeUnmarked) {
     QFile file(QString::fromStdString(path));
     if (!file.open(QIODevice::ReadOnly))
         return Error(MessageCode::FileUnreadable, path, {file.errorString().toStdString()});
-    constexpr qint64 kHeaderSize = 100;
-    const QByteArray magic("SQLite format 3\0", 16);
     const QByteArray header = file.read(kHeaderSize);
-    if (!header.startsWith(magic))
+    const bool isDatabase = hasAt(header, 0, kMagic), isMarked = hasAt(header, kMarkAt, kMark);
+    if (!isDatabase && !isMarked)
         return Error(MessageCode::NotASession, path);
     if (header.size() < kHeaderSize)
         return Error(MessageCode::SessionDamaged, path, {"it is cut short"});
+    if (!isDatabase || !hasAt(header, kFractionsAt, kFractions))
+        return Error(MessageCode::SessionDamaged, path, {kNoHeader});
     const auto big = [&](qsizetype at, int bytes) {
         qint64 value = 0;
         for (int k = 0; k < bytes; ++k)
             value = value * 256 + static_cast<unsigned char>(header[at + k]);
         return value;
     };
-    if (big(68, 4) != kSessionApplicationId)
+    if (!isMarked && !mayBeUnmarked)
         return Error(MessageCode::NotASession, path);
     const qint64 pageSize = big(16, 2) == 1 ? 65536 : big(16, 2);
     const qint64 expected = big(28, 4) * pageSize;
@@ -247,14 +257,25 @@ Result<void> checkHeader(const std::string& path, bool mayBeShort) {
 } // namespace
 
 Result<std::unique_ptr<SessionStore>> SessionStore::open(const std::string& path) {
-    return open(path, false);
+    return open(path, Looks::All);
 }
 
 Result<std::unique_ptr<SessionStore>> SessionStore::openDamaged(const std::string& path) {
-    return open(path, true);
+    return open(path, Looks::Damaged);
 }
 
-Result<std::unique_ptr<SessionStore>> SessionStore::open(const std::string& path, bool isDamaged) {
+Result<std::unique_ptr<SessionStore>> SessionStore::openAltered(const std::string& path) {
+    return open(path, Looks::Altered);
+}
+
+bool SessionStore::isPlainTable(const std::string& sql) {
+    static const QRegularExpression kGenerated(QStringLiteral(R"(\bAS\b)"),
+                                               QRegularExpression::CaseInsensitiveOption);
+    return sql.starts_with("CREATE TABLE ") && !kGenerated.match(QString::fromStdString(sql)).hasMatch();
+}
+
+Result<std::unique_ptr<SessionStore>> SessionStore::open(const std::string& path, Looks looks) {
+    const bool isDamaged = looks == Looks::Damaged, isAltered = looks == Looks::Altered;
     const QFileInfo info(QString::fromStdString(path));
     const QString file =
         info.canonicalFilePath(); // the log lies beside the file itself, not beside a link to it
@@ -273,7 +294,7 @@ Result<std::unique_ptr<SessionStore>> SessionStore::open(const std::string& path
     const bool hasLog = QFileInfo::exists(log);
     if (!hasLog) {
         // Nobody writes: read without locks, so that nothing is left beside the file and any folder will do.
-        if (auto header = checkHeader(path, isDamaged); !header)
+        if (auto header = checkHeader(path, isDamaged, isAltered); !header)
             return header.error();
         if (auto done = impl->connect(uriOf(file, "?immutable=1"), readOnly + ";QSQLITE_OPEN_URI"); !done)
             return done.error();
@@ -297,7 +318,8 @@ Result<std::unique_ptr<SessionStore>> SessionStore::open(const std::string& path
     }
     if (!applicationId)
         return applicationId.error();
-    if (*applicationId != kSessionApplicationId)
+    impl->isMarked = *applicationId == kSessionApplicationId;
+    if (!impl->isMarked && !isAltered)
         return Error(MessageCode::NotASession, path);
     const auto version = impl->pragma("user_version");
     if (!version)
@@ -305,12 +327,14 @@ Result<std::unique_ptr<SessionStore>> SessionStore::open(const std::string& path
     const bool isPossible = *version > 0 && *version <= kSessionVersion + kMaxVersionsToCome;
     if (!isPossible && !isDamaged)
         return Error(MessageCode::SessionDamaged, path, {kNoVersion});
-    if (isPossible && *version > kSessionVersion)
+    if (isPossible && *version > kSessionVersion && !isAltered)
         return Error(MessageCode::VersionTooNew, path,
                      {std::to_string(*version), std::to_string(kSessionVersion)});
     if (isPossible)
         impl->version = static_cast<int>(*version);
     std::unique_ptr<SessionStore> store(new SessionStore(std::move(impl)));
+    if (isAltered)
+        return store;
     std::string foreign;
     auto read = store->select("SELECT sql, type, name FROM sqlite_master", [&](Row row) {
         if (!isHarmless(row[0], store->version()))
@@ -319,7 +343,8 @@ Result<std::unique_ptr<SessionStore>> SessionStore::open(const std::string& path
     // The views have a row for each sample and object: with more objects than a run has they have no end.
     constexpr int kMaxObjects = 6;
     int objects = 0;
-    if (read && foreign.empty() && store->version() > 1)
+    const auto hasObjects = store->hasTable("object");
+    if (read && foreign.empty() && hasObjects && *hasObjects)
         read = store->select("SELECT 1 FROM object LIMIT " + std::to_string(kMaxObjects + 1),
                              [&](Row) { ++objects; });
     if (objects > kMaxObjects)
@@ -394,6 +419,10 @@ const std::string& SessionStore::path() const {
 
 int SessionStore::version() const {
     return m_impl->version;
+}
+
+bool SessionStore::isMarked() const {
+    return m_impl->isMarked;
 }
 
 Result<std::vector<std::string>> SessionStore::tables() const {

@@ -34,6 +34,7 @@ std::string textOf(const SqlValue& value);
 
 /// What a file says that the database cannot read, as the argument of SessionDamaged.
 inline constexpr const char* kNotWhole = "its database is not whole";
+inline constexpr const char* kNoHeader = "the header of its database was written over";
 inline constexpr const char* kNoVersion = "it has a format number that no version has";
 
 /// Returns a text as an SQL literal.
@@ -51,6 +52,11 @@ public:
     /// The same for a file that is damaged, to look for what of it can still be read: also one that is cut
     /// short.
     static Result<std::unique_ptr<SessionStore>> openDamaged(const std::string& path);
+    /// The same for a file that may have been altered: of any version, with any tables, and without the mark
+    /// of a session in its header. Select only from tables that are plain: others compute.
+    static Result<std::unique_ptr<SessionStore>> openAltered(const std::string& path);
+    /// Whether this statement makes a table that computes nothing when it is read.
+    static bool isPlainTable(const std::string& sql);
     ~SessionStore();
 
     Result<void> execute(const std::string& sql);
@@ -68,6 +74,8 @@ public:
     const std::string& path() const;
     /// Returns the version of the file.
     int version() const;
+    /// Returns whether its header says that it is a session.
+    bool isMarked() const;
     /// Returns the names of the tables and views that are for people and scripts, in the order of creation.
     Result<std::vector<std::string>> tables() const;
 
@@ -77,7 +85,8 @@ public:
 private:
     struct Impl;
     explicit SessionStore(std::unique_ptr<Impl> impl);
-    static Result<std::unique_ptr<SessionStore>> open(const std::string& path, bool isDamaged);
+    enum class Looks { All, Damaged, Altered };
+    static Result<std::unique_ptr<SessionStore>> open(const std::string& path, Looks looks);
     std::unique_ptr<Impl> m_impl;
 };
 

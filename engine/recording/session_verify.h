@@ -13,15 +13,19 @@
 
 namespace bask {
 
-/// A row, or a few, that are not as they were recorded.
+/// A row, or several in a row, that are not as they were recorded. Those of the chain itself are links.
 struct SessionFinding {
     enum class Kind { Changed, Removed, Added };
     Kind kind = Kind::Changed;
-    std::string table;
+    std::string table; ///< kHeaderTable: a number in the database's header
     std::int64_t row =
         0; ///< number within its table, from 1 (of removed rows: where they were); 0: not known
     std::optional<double> time_s{}; ///< of the row, or of the next one that is there; empty: it has none
+    bool isAfter = false;           ///< time_s is that of what is there before it
+    std::int64_t lastRow = 0;       ///< of several that were removed or added together
+    std::string type{}, name{};     ///< of what has a name: "view" or "key", and "sample" or "outcome"
 };
+inline constexpr const char* kHeaderTable = "header";
 
 /// A table that cannot be read to its end. Where neither the list of tables nor the chain can be read, also
 /// one that the run may not have had.
@@ -32,7 +36,7 @@ struct TableDamage {
 };
 
 struct SessionVerdict {
-    bool hasChain = false;            ///< false: recorded before there were chains
+    bool hasChain = false;            ///< also one that was removed; false: recorded before there were chains
     bool isDamaged = false;           ///< its database is not whole
     std::vector<TableDamage> damages; ///< none: every row can be read
     bool isClosed = false;            ///< the recording says when it ended
@@ -44,7 +48,7 @@ struct SessionVerdict {
     std::vector<SessionFinding> findings; ///< the first kMaxFindings
     std::int64_t allFindings = 0;
 
-    bool isIntact() const { return hasChain && !isDamaged && allFindings == 0 && seal != Seal::Broken; }
+    bool isIntact() const { return hasChain && !isDamaged && allFindings == 0 && mayBeSealed(seal); }
 };
 inline constexpr std::size_t kMaxFindings = 1000;
 

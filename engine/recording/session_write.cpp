@@ -506,11 +506,12 @@ Result<void> SessionWriter::flush() {
 }
 
 Result<void> SessionWriter::finish(const std::string& outcome) {
-    auto done = m_impl->add([&] { return m_impl->put(kPutMeta, std::string("outcome"), outcome); });
-    if (done)
-        done = m_impl->add([&] { return m_impl->put(kPutMeta, std::string("finished"), nowUtc()); });
-    if (done)
-        done = m_impl->add([&] { return makeSeal(*m_impl->store); });
+    auto done = m_impl->add([&] {
+        auto put = m_impl->put(kPutMeta, std::string("outcome"), outcome);
+        if (put)
+            put = m_impl->put(kPutMeta, std::string("finished"), nowUtc());
+        return put ? makeSeal(*m_impl->store) : put;
+    });
     m_impl->isFinished = done.ok();
     return done ? flush() : done;
 }
