@@ -32,6 +32,26 @@ std::optional<double> pixelsOf(const QString& unit) {
     return it == kPixels.end() ? std::nullopt : std::optional(*it);
 }
 
+const QStringList& lengthsOf(const QString& element) {
+    static const QHash<QString, QStringList> kLengths{{"rect", {"x", "y", "width", "height", "rx", "ry"}},
+                                                      {"circle", {"cx", "cy", "r"}},
+                                                      {"ellipse", {"cx", "cy", "rx", "ry"}},
+                                                      {"line", {"x1", "y1", "x2", "y2"}},
+                                                      {"use", {"x", "y", "width", "height"}},
+                                                      {"svg", {"x", "y", "width", "height"}}};
+    static const QStringList kNone;
+    const auto it = kLengths.find(element);
+    return it == kLengths.end() ? kNone : *it;
+}
+
+bool isLength(const QString& attribute, const QString& text) {
+    static const QSet<QString> kMayBeAuto{"width", "height", "rx", "ry"};
+    if (text.trimmed().isEmpty() || (text.trimmed() == "auto" && kMayBeAuto.contains(attribute)))
+        return true;
+    const auto length = lengthOf(text);
+    return length && (length->unit == "%" || pixelsOf(length->unit));
+}
+
 std::optional<Box> viewBoxOf(const QXmlStreamAttributes& attributes) {
     static const QRegularExpression kSeparator(QStringLiteral(R"([\s,]+)"));
     const QStringList parts = attributes.value("viewBox").toString().split(kSeparator, Qt::SkipEmptyParts);
@@ -72,11 +92,13 @@ QString nameOf(const QXmlStreamReader& reader) {
     return name.startsWith("svg:") ? name.mid(4) : name;
 }
 
+QString hrefOf(const QXmlStreamAttributes& attributes) {
+    const auto link = attributes.value("href");
+    return (link.isEmpty() ? attributes.value("xlink:href") : link).toString().trimmed();
+}
+
 QString linkOf(const QXmlStreamAttributes& attributes) {
-    QString link = attributes.value("href").toString();
-    if (link.isEmpty())
-        link = attributes.value("xlink:href").toString();
-    link = link.trimmed();
+    const QString link = hrefOf(attributes);
     return link.startsWith('#') ? link.mid(1) : QString();
 }
 
@@ -99,6 +121,15 @@ bool isDrawn(const QString& name) {
 bool isSeen(const QString& name) {
     static const QSet<QString> kSeen{"text", "image", "foreignObject", "clipPath", "mask", "marker"};
     return kSeen.contains(name);
+}
+
+bool isHidden(const QXmlStreamAttributes& attributes) {
+    static const QRegularExpression kHidden(
+        QStringLiteral(R"((display\s*:\s*none|visibility\s*:\s*(hidden|collapse)))"));
+    const auto visibility = attributes.value("visibility").trimmed();
+    return attributes.value("display").trimmed() == QLatin1String("none") ||
+           visibility == QLatin1String("hidden") || visibility == QLatin1String("collapse") ||
+           kHidden.match(attributes.value("style").toString()).hasMatch();
 }
 
 void feed(QXmlStreamReader& reader, const QByteArray& bytes) {

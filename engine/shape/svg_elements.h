@@ -4,6 +4,7 @@
 
 #include <QByteArray>
 #include <QString>
+#include <QStringList>
 
 #include <Eigen/Geometry>
 
@@ -22,6 +23,12 @@ std::optional<Length> lengthOf(const QString& text);
 /// Returns the pixels of an absolute unit, and of em and ex for a letter of 16 px.
 std::optional<double> pixelsOf(const QString& unit);
 
+/// Returns the attributes of an element that are lengths: "x", "width".
+const QStringList& lengthsOf(const QString& element);
+/// Returns whether a text is a length that is understood, or empty: also a percentage, and "auto" where an
+/// element may have it.
+bool isLength(const QString& attribute, const QString& text);
+
 struct Box {
     double x = 0.0, y = 0.0, width = 0.0, height = 0.0;
 };
@@ -30,6 +37,8 @@ std::optional<Box> viewBoxOf(const QXmlStreamAttributes& attributes);
 Eigen::Affine2d viewTransform(const Box& view, const Box& port, const QString& preserve);
 
 QString nameOf(const QXmlStreamReader& reader);
+/// Returns the link as it stands in the file.
+QString hrefOf(const QXmlStreamAttributes& attributes);
 /// Returns the linked element of the same file; other files are never opened.
 QString linkOf(const QXmlStreamAttributes& attributes);
 bool isGroup(const QString& name);
@@ -38,6 +47,9 @@ bool isPaint(const QString& name);
 bool isDrawn(const QString& name);
 /// Returns whether an element of this name would be visible, although it is left out.
 bool isSeen(const QString& name);
+
+/// Returns whether an element's own attributes say that it is not to be seen.
+bool isHidden(const QXmlStreamAttributes& attributes);
 
 /// Gives a drawing to the reader. A declared encoding that Qt does not know is read as Latin-1, because names
 /// and numbers are ASCII.

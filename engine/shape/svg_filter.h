@@ -31,8 +31,8 @@ inline constexpr int kMaxSvgLevels = 256;       ///< of nesting, `<use>` include
 
 /// Makes the plain drawing. Errors: XmlBroken, XmlTooDeep, NotSvg, SvgSizeUnusable, DrawingTooFull (the
 /// limits above, and what Qt's readers cannot process in a second: attributes, entities, style sheets, path
-/// data; see svg_filter.cpp), SvgPathDamaged, SvgUseOfItself. What lies more than four `<use>` deep after 256
-/// of them is left out, as by QtSvg. Opens no other file.
+/// data; see svg_filter.cpp), and those of svg_survey for what is damaged. What lies more than four `<use>`
+/// deep after 256 of them is left out, as by QtSvg. Opens no other file.
 Result<PlainSvg> plainSvg(const std::string& bytes, const std::string& where);
 
 } // namespace bask

@@ -26,7 +26,8 @@ struct Survey {
 };
 
 /// Surveys a drawing; refuses what Qt's readers cannot process, and what they would make another drawing of.
-/// Errors: XmlBroken, XmlTooDeep, NotSvg, DrawingTooFull, SvgPathDamaged, SvgUseOfItself.
+/// Errors: XmlBroken, XmlTooDeep, NotSvg, DrawingTooFull, SvgPathDamaged, SvgPointsDamaged, SvgLengthDamaged,
+/// SvgTransformDamaged, SvgSizeUnusable, SvgUseOfItself, SvgUseOfNothing.
 Result<Survey> survey(const QByteArray& bytes, const std::string& where);
 
 } // namespace bask::svg
