@@ -87,8 +87,17 @@ QString listed(const QJsonValue& values, const std::function<QString(double)>& w
 }
 
 bool isGains(const QString& key) {
-    return key == QLatin1String("level_servo") || key == QLatin1String("model_based") ||
-           key == QLatin1String("adaptive");
+    return std::ranges::any_of(controllerCatalogue(), [&](const ControllerEntry& entry) {
+        return key == QLatin1String(entry.group);
+    });
+}
+
+/// Of the controller with this key: the group of its gains; empty if there is none.
+QString groupOf(const QString& kind) {
+    for (const ControllerEntry& entry : controllerCatalogue())
+        if (kind == QLatin1String(entry.kind.key()))
+            return QString::fromLatin1(entry.group);
+    return {};
 }
 
 QString utcText(const QDateTime& time) {
@@ -180,7 +189,7 @@ QString commandText(const CommandRow& command, const std::vector<TraceEvent>& ev
         parts << read.object().value(QLatin1String("name")).toString();
     } else if (read.isObject()) {
         const QJsonObject fields = read.object();
-        const QString kind = fields.value(QLatin1String("kind")).toString().replace(u'-', u'_');
+        const QString kind = groupOf(fields.value(QLatin1String("kind")).toString());
         for (auto field = fields.begin(); field != fields.end(); ++field)
             if (field.key() == kind || !isGains(field.key()))
                 parts << fieldText(field.key(), *field, unit);

@@ -5,6 +5,7 @@
 #include "app/report/report_record.h"
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
+#include "engine/control/controller_catalogue.h"
 #include "engine/model/experiment_parameters.h"
 #include "engine/recording/session_header.h"
 #include "tests/engine/recording/recording.h"
@@ -156,6 +157,23 @@ TEST_F(RunReport, HasEverySectionAndTellsTheNumbers) {
     const QByteArray sha = QCryptographicHash::hash(file.readAll(), QCryptographicHash::Sha256).toHex();
     EXPECT_TRUE(text.contains(sha)) << "of the file as it lies there";
     EXPECT_TRUE(text.contains(QString("Qt ") + qVersion()));
+}
+
+// Catches a controller of the catalogue whose gains the report leaves out, and those of all others that it
+// lists.
+TEST_F(RunReport, TellsTheGainsOfTheChosenControllerAlone) {
+    SessionRecord session;
+    session.experiment = test::twoDisks();
+    for (const ControllerEntry& chosen : controllerCatalogue()) {
+        std::string value = std::string(R"({"kind":")") + chosen.kind.key() + '"';
+        for (const ControllerEntry& each : controllerCatalogue())
+            value += std::string(",\"") + each.group + R"(":{"gain_of_)" + each.group + R"(":1.5})";
+        session.commands = {CommandRow{0.0, "controller", value + '}'}};
+        const QString text = readable(eventsSection(session, TemperatureUnit::Celsius).toUtf8());
+        for (const ControllerEntry& each : controllerCatalogue())
+            EXPECT_EQ(text.contains(QStringLiteral("gain_of_") + QLatin1String(each.group)), &each == &chosen)
+                << text.toStdString();
+    }
 }
 
 // Catches: a report that needs other files or the network, or that runs what somebody noted.
