@@ -233,6 +233,7 @@ void MainWindow::connectParts() {
     connect(m_actions.monitoring, &QAction::triggered, m_monitor, &MonitorControl::askSettings);
     m_materials = new MaterialControl(materialFile(), m_files, *m_pages->objects(), this);
     connect(m_materials, &MaterialControl::problem, m_pages, &PageHost::showProblem);
+    connect(m_materials, &MaterialControl::exported, m_pages, &PageHost::showExported);
     auto* largeNumbers = new LargeNumbersControl(*m_pages->run(), this);
     connect(m_actions.largeNumbers, &QAction::triggered, largeNumbers, &LargeNumbersControl::setOpen);
     connect(largeNumbers, &LargeNumbersControl::openChanged, m_actions.largeNumbers, &QAction::setChecked);

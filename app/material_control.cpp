@@ -175,8 +175,10 @@ void MaterialControl::exportFile() {
         return;
     if (const auto written = writeMaterialLibrary(*known, path.toStdString()); !written)
         return tell(asSentence(sentence(written.error())));
+    const QString sentence = tr("%1 was written.").arg(QFileInfo(path).fileName());
     if (dialog() != nullptr)
-        dialog()->showNote(tr("%1 was written.").arg(QFileInfo(path).fileName()));
+        dialog()->showNote(sentence);
+    emit exported(sentence, {path});
 }
 
 } // namespace bask

@@ -30,6 +30,7 @@ public:
 
 signals:
     void problem(const QString& sentence);
+    void exported(const QString& sentence, const QStringList& files);
 
 private:
     /// Empty: it cannot be read, which was told.

@@ -6,6 +6,7 @@
 #include "widgets/common/countdown_bar.h"
 #include "widgets/common/device_words.h"
 #include "widgets/common/display.h"
+#include "widgets/common/file_folders.h"
 #include "widgets/common/floating_place.h"
 #include "widgets/common/message_bar.h"
 #include "widgets/common/scrolling.h"
@@ -99,7 +100,13 @@ PageHost::PageHost(Document& document, SessionActions& files, QWidget* parent)
 void PageHost::connectExports() {
     connect(&m_files, &SessionActions::exported, this, &PageHost::showExported);
     connect(m_targets, &TargetsPage::exported, this, &PageHost::showExported);
-    connect(m_bar, &MessageBar::actionClicked, this, [this] { m_desktop.open(m_exported); });
+    connect(m_calibrate, &CalibratePage::exported, this, &PageHost::showExported);
+    connect(m_bar, &MessageBar::actionClicked, this, [this] {
+        if (m_exported.size() == 1 && isSessionFile(m_exported.front())) // its program is this one
+            m_files.open(m_exported.front());
+        else
+            m_desktop.open(m_exported);
+    });
     connect(m_bar, &MessageBar::otherClicked, this, [this] { m_desktop.showInFolder(m_exported); });
     connect(&m_desktop, &DesktopFiles::problem, this, &PageHost::showProblem);
 }

@@ -64,8 +64,10 @@ public:
     PageMessages& messages() { return m_messages; }
     void showProblem(const QString& sentence) { m_messages.showProblem(sentence); }
     void showNote(const QString& sentence) { m_messages.showBriefly(sentence); }
+    /// With buttons that open what was written, or its folder.
+    void showExported(const QString& sentence, const QStringList& files);
 
-    /// The bar above all others, for questions that wait for an answer.
+    /// Bars that float over the pages, for what waits for an answer.
     MessageBar& cutOffBar() { return *m_cutOff; }
     MessageBar& recipeBar() { return *m_recipe; }
     MessageBar& questionBar() { return *m_question; }
@@ -99,7 +101,6 @@ private:
     void connectForecast();
     void connectReview();
     void connectExports();
-    void showExported(const QString& sentence, const QStringList& files);
     void reportInfeasible();
     void keepPrediction(const Snapshot& snapshot);
     void showDocument();

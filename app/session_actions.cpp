@@ -357,7 +357,7 @@ void SessionActions::saveSession() {
                    }
                    m_settings.addRecentFile(path);
                    emit recentChanged();
-                   emit told(tr("Session saved as %1").arg(QFileInfo(path).fileName()));
+                   emit exported(tr("Session saved as %1").arg(QFileInfo(path).fileName()), {path});
                });
 }
 

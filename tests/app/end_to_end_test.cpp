@@ -89,7 +89,7 @@ TEST_F(EndToEndTest, ARunSettlesIsSavedAndIsTheSameWhenOpenedAgain) {
     const QString path = folder.filePath(QStringLiteral("evening"));
     window->files().setFileChooser([&](const FileQuestion&) { return path; });
     bool saved = false;
-    QObject::connect(&window->files(), &SessionActions::told, window.get(), [&] { saved = true; });
+    QObject::connect(&window->files(), &SessionActions::exported, window.get(), [&] { saved = true; });
     QTest::keyClick(window.get(), Qt::Key_E, Qt::ControlModifier);
     ASSERT_TRUE(waitFor([&] { return saved; }));
     const std::vector<TraceSample> first = samples;

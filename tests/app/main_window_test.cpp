@@ -100,6 +100,10 @@ TEST_F(MainWindowTest, WhatWasExportedIsOpenedFromItsMessage) {
     EXPECT_TRUE(button("messageOther")->isVisible());
     QTest::mouseClick(button("messageAction"), Qt::LeftButton);
     EXPECT_TRUE(waitFor([&] { return desktop.asked() == QUrl::fromLocalFile(file.fileName()); }));
+    emit window->files().exported(QStringLiteral("Session saved"), {QStringLiteral("/nowhere/evening.bask")});
+    QTest::mouseClick(button("messageAction"), Qt::LeftButton);
+    EXPECT_TRUE(waitFor([&] { return message().contains(QStringLiteral("evening.bask")); })) << "read here";
+    EXPECT_EQ(desktop.asked(), QUrl::fromLocalFile(file.fileName())) << "not by the desktop";
     window->pages().showNote(QStringLiteral("Something else."));
     EXPECT_FALSE(button("messageAction")->isVisible());
     EXPECT_FALSE(button("messageOther")->isVisible());

@@ -9,6 +9,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFile>
+#include <QFileInfo>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
@@ -87,6 +88,9 @@ TEST_F(MaterialsTest, IsRenamedRemovedAndShared) {
     keepPicture(QStringLiteral("materials-dialog"));
     press("exportMaterials");
     EXPECT_EQ(readMaterialLibrary(copy.toStdString()).value(), kept());
+    const auto* told = find<MessageBar>("messageBar");
+    EXPECT_TRUE(told->sentence().contains(QFileInfo(copy).fileName())) << told->sentence().toStdString();
+    EXPECT_TRUE(told->findChild<QPushButton*>("messageOther")->isVisibleTo(told)) << "Show in folder";
     list->item(0)->setText("his paint"); // what the editor of the list does
     ASSERT_TRUE(waitFor([this] { return kept().front().name == "his paint"; }));
     press("importMaterials");

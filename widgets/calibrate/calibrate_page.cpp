@@ -157,6 +157,9 @@ void CalibratePage::connectAll() {
     connect(m_thermalPanel, &ThermalPanel::calibrated, this, &CalibratePage::thermalCalibrated);
     connect(m_thermalPanel, &ThermalPanel::moveWanted, this, &CalibratePage::moveWanted);
     connect(m_thermalPanel, &ThermalPanel::holdWanted, this, &CalibratePage::holdWanted);
+    connect(m_sheetPanel, &SheetPanel::exported, this, &CalibratePage::exported);
+    for (const CameraPanel* panel : {m_cameraPanel, m_lensPanel})
+        connect(panel, &CameraPanel::exported, this, &CalibratePage::exported);
     connect(m_sheetPanel, &SheetPanel::boardMeasured, this,
             [this](const Board& board) { (m_isThermal ? m_lensPanel : m_cameraPanel)->setBoard(board); });
     connect(m_sheetPanel, &SheetPanel::markersMeasured, this,

@@ -56,6 +56,8 @@ signals:
     void followWanted(bool follow);
     void moveWanted(const bask::Vector6d& coordinates);
     void holdWanted();
+    /// Files were written.
+    void exported(const QString& sentence, const QStringList& files);
 
 protected:
     void changeEvent(QEvent* event) override;

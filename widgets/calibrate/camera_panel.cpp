@@ -385,9 +385,11 @@ void CameraPanel::saveCamera(const QString& path, bool asRos) {
             return writeWholeFile(path.toStdString(), text);
         },
         [this, path](Result<void> written) {
-            if (written)
-                return m_message->say(MessageBar::Kind::Note,
-                                      tr("The camera is saved in %1.").arg(QFileInfo(path).fileName()));
+            if (written) {
+                m_message->clear();
+                return emit exported(tr("The camera is saved in %1.").arg(QFileInfo(path).fileName()),
+                                     {path});
+            }
             m_message->say(MessageBar::Kind::Problem, tr("%1: %2").arg(QFileInfo(path).fileName(),
                                                                        messageText(written.error().message)));
         });

@@ -65,6 +65,7 @@ signals:
     void heatMapChanged(const std::optional<bask::HeatMap>& map);
     /// This part of the panel must be seen.
     void attentionWanted(QWidget* part);
+    void exported(const QString& sentence, const QStringList& files);
 
 protected:
     void changeEvent(QEvent* event) override;

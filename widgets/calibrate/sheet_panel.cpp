@@ -12,6 +12,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QEvent>
+#include <QFileInfo>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -181,6 +182,8 @@ void SheetPanel::saveTo(const QString& path) {
     say(saved ? tr("Saved. Print it at 100 % (actual size) and measure its ruler.")
               : messageText(saved.error().message),
         !saved.ok());
+    if (saved)
+        emit exported(tr("The sheet was saved as %1.").arg(QFileInfo(path).fileName()), {path});
 }
 
 double SheetPanel::scale() const {

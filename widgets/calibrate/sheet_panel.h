@@ -36,6 +36,7 @@ signals:
     /// The board with its size corrected by the ruler on the print.
     void boardMeasured(const bask::Board& board);
     void markersMeasured(const std::string& dictionary, const std::vector<int>& ids, double side_m);
+    void exported(const QString& sentence, const QStringList& files);
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -20,6 +20,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QElapsedTimer>
+#include <QFileInfo>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -321,10 +322,14 @@ TEST_F(CameraPanelTest, ACameraIsSavedAndLoaded) {
     QTemporaryDir folder;
     calibrate();
     auto* panel = child<CameraPanel>("cameraPanel");
-    panel->saveCamera(folder.filePath("camera.yml"), false);
-    ASSERT_TRUE(test::waitFor([&] { return message().contains("camera.yml"); }));
-    panel->saveCamera(folder.filePath("ros.yaml"), true);
-    ASSERT_TRUE(test::waitFor([&] { return message().contains("ros.yaml"); }));
+    QSignalSpy exported(panel, &CameraPanel::exported);
+    for (const bool asRos : {false, true}) {
+        const QString path = folder.filePath(asRos ? "ros.yaml" : "camera.yml");
+        panel->saveCamera(path, asRos);
+        ASSERT_TRUE(test::waitFor([&] { return exported.count() == (asRos ? 2 : 1); }));
+        EXPECT_TRUE(exported.back()[0].toString().contains(QFileInfo(path).fileName()));
+        EXPECT_EQ(exported.back()[1].toStringList(), QStringList{path}) << "it is opened from its message";
+    }
     click("cameraUse");
     for (const char* name : {"camera.yml", "ros.yaml"}) {
         const auto read = readCamera(folder.filePath(name).toStdString());
@@ -341,6 +346,7 @@ TEST_F(CameraPanelTest, ACameraIsSavedAndLoaded) {
     ASSERT_TRUE(test::waitFor([&] { return message().contains("missing.yml"); }));
     panel->saveCamera(folder.filePath("no/such/folder.yml"), false);
     ASSERT_TRUE(test::waitFor([&] { return message().contains("folder.yml"); }));
+    EXPECT_EQ(exported.count(), 2);
 }
 
 // Catches: views that no camera explains, or too few, without a word.

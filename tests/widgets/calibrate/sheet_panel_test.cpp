@@ -11,6 +11,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -130,13 +131,17 @@ TEST_F(SheetPanelTest, TellsTheTrueLengths) {
 // Catches: a file that is not the sheet, and a failure to write it without a word.
 TEST_F(SheetPanelTest, SavesThePdf) {
     panel.setBoard({BoardKind::Chessboard, 9, 6, 0.025, 0.0, "", false});
+    QSignalSpy exported(&panel, &SheetPanel::exported);
     panel.saveTo(folder.filePath("sheet.pdf"));
+    ASSERT_EQ(exported.count(), 1);
+    EXPECT_EQ(exported[0][1].toStringList(), QStringList{folder.filePath("sheet.pdf")});
     QFile file(folder.filePath("sheet.pdf"));
     ASSERT_TRUE(file.open(QIODevice::ReadOnly));
     EXPECT_EQ(file.read(5), "%PDF-");
     EXPECT_TRUE(text("sheetProblem").startsWith("Saved."));
     panel.saveTo(folder.filePath("no/such/folder.pdf"));
     EXPECT_TRUE(text("sheetProblem").contains("cannot be written")) << text("sheetProblem").toStdString();
+    EXPECT_EQ(exported.count(), 1);
 }
 
 // Catches: typing that waits for the preview of a full board on A3: cells united one by one would take
