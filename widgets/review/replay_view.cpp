@@ -33,6 +33,7 @@ namespace bask {
 namespace {
 
 constexpr int kGap = 6;
+constexpr int kLowestPlot = 180; // px: where there is no room the page scrolls
 constexpr int kLongestKey = 260; // px, of a run that is laid over
 static_assert(ReadingTrend::kOver_s <= ObjectTile::kSettledAfter_s, "a tile is given so much of the past");
 
@@ -116,6 +117,7 @@ PlotPlace* ReplayView::makePlot(Quantity quantity) {
     auto* plot = new TracePlot(quantity, this);
     plot->setObjectName(QStringLiteral("review.") + quantityKey(quantity));
     plot->setMarkerTextsVisible(quantity == Quantity::Temperature);
+    plot->setMinimumHeight(kLowestPlot);
     m_plots.push_back({new PlotPlace(plot, this), plot, false});
     return m_plots.back().place;
 }
