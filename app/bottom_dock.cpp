@@ -97,20 +97,14 @@ void BottomDock::fit() {
     for (QWidget* part = m_recipe->parentWidget(); part != this; part = part->parentWidget())
         part->updateGeometry(); // now: the height is asked for before the layouts are told
     if (isRecipe) {
-        m_lowHeight = isHidden() ? m_height : height();
-        emit heightWanted(std::max(m_lowHeight, recipeHeight()));
+        m_lowHeight = height();
+        emit heightWanted(std::max(m_lowHeight, std::min(kRecipeHeight, window()->height() / 3)));
     } else if (m_lowHeight > 0) {
-        const int low = std::exchange(m_lowHeight, 0);
-        emit heightWanted(isHidden() ? low : std::min(height(), low));
+        emit heightWanted(std::min(height(), std::exchange(m_lowHeight, 0)));
     }
 }
 
-int BottomDock::recipeHeight() const {
-    return std::min(kRecipeHeight, window()->height() / 3);
-}
-
 void BottomDock::showRecipe() {
-    setReviewing(false);
     m_tabs->setCurrentWidget(m_recipe);
 }
 
@@ -221,9 +215,6 @@ void BottomDock::showAlarm(std::uint64_t id) {
 }
 
 void BottomDock::showParts() {
-    const bool wasHidden = isHidden();
-    if (!wasHidden)
-        m_height = height();
     const int alarmTab = m_tabs->indexOf(m_alarmList);
     const std::vector<AlarmGroup>& present = m_groups.present;
     QString title = present.empty() ? tr("Alarms") : tr("Alarms (%1)").arg(present.size());
@@ -237,10 +228,6 @@ void BottomDock::showParts() {
                                      : QIcon(alarmPixmap(first->alarm.priority, isDark(this), 14,
                                                          devicePixelRatioF(), !first->isActive())));
     m_tabs->setTabVisible(m_tabs->indexOf(m_eventList), !m_isReviewing);
-    setVisible(!m_isReviewing || !m_alarms.empty());
-    if (wasHidden && !isHidden() && m_height > 0) // else it has what its lists would like
-        emit heightWanted(m_tabs->currentWidget() == m_recipe ? std::max(m_height, recipeHeight())
-                                                              : m_height);
 }
 
 void BottomDock::retranslate() {

@@ -31,7 +31,8 @@ public:
     /// Shows the alarms of earlier runs, too: a button beside the tabs, "allAlarmsButton", and in the list.
     void setHistoryAction(QAction* history);
     void setTemperatureUnit(TemperatureUnit unit);
-    /// A recorded run is shown: its events are on the page, and the dock shows only alarms, if there are any.
+    /// A recorded run is shown, and its events on the page: the dock is there without those of the present,
+    /// so that an alarm moves nothing.
     void setReviewing(bool isReviewing);
     void showAlarm(std::uint64_t id);
     RecipePanel& recipe() { return *m_recipe; }
@@ -60,7 +61,6 @@ private:
     void showParts();
     void bringAlarmsToFront();
     void fit();
-    int recipeHeight() const;
     void retranslate();
 
     QTabWidget* m_tabs;
@@ -75,7 +75,6 @@ private:
     std::vector<TraceNote> m_notes;
     std::size_t m_firstEvent = 0, m_firstNote = 0; ///< that are listed
     bool m_isReviewing = false;
-    int m_height = 0;              ///< height before it was hidden
     int m_lowHeight = 0;           ///< height before the recipe was in front; 0 if it is not
     bool m_isBackToEvents = false; ///< show the events again after the review
 };

@@ -24,6 +24,7 @@
 #include <QFileInfo>
 #include <QScrollArea>
 #include <QStackedWidget>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -47,22 +48,10 @@ PageHost::PageHost(Document& document, SessionActions& files, QWidget* parent)
     for (QWidget* page :
          std::initializer_list<QWidget*>{m_rig, m_objects, m_calibrate, m_targets, m_run, m_review})
         m_pages->addWidget(scrolled(page));
-    auto* below = new QWidget(this); // messages float here, so that they never cover a countdown
-    auto* inside = new QVBoxLayout(below);
-    inside->setContentsMargins(0, 0, 0, 0);
-    inside->addWidget(m_pages);
-    m_bar->setParent(below);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(m_countdown);
-    column->addWidget(m_cutOff);
-    column->addWidget(m_recipe);
-    column->addWidget(m_question);
-    column->addWidget(m_coach);
-    column->addWidget(below, 1);
-
-    m_place = new FloatingPlace(*m_bar, *below);
+    auto* all = new QVBoxLayout(this);
+    all->setContentsMargins(0, 0, 0, 0);
+    all->addWidget(m_pages);
+    m_place = new FloatingPlace({m_countdown, m_bar, m_question, m_cutOff, m_coach, m_recipe}, *this);
     connectRig();
     connectObjects();
     connectCalibrate();
@@ -352,7 +341,7 @@ QSize PageHost::minimumSizeHint() const {
 
 void PageHost::show(Page page) {
     m_pages->setCurrentIndex(static_cast<int>(page));
-    m_place->place();
+    QTimer::singleShot(0, m_place, [this] { m_place->place(); }); // when the page is laid out
     if (page == Page::Review)
         m_reviewDesk.showList();
     else

@@ -1,5 +1,5 @@
 #pragma once
-// The six pages with the message bar above them, connected to the document and the engine.
+// The six pages with the bars that float over them, connected to the document and the engine.
 
 #include "app/desktop_files.h"
 #include "app/document.h"
@@ -36,14 +36,14 @@ class RunPage;
 class TargetsPage;
 
 /// Edits go to the document, which accepts or refuses them; changes for the engine are sent as commandIssued.
-/// Object names: "pages", "messageBar", "cutOffBar", "questionBar", "coachBar".
+/// Object names: "pages", "messageBar", "cutOffBar", "recipeBar", "questionBar", "coachBar", "countdownBar".
 class PageHost : public QWidget {
     Q_OBJECT
 
 public:
     PageHost(Document& document, SessionActions& files, QWidget* parent = nullptr);
 
-    /// The minimum of the pages, which scroll: bars take their space from the pages, not from the screen.
+    /// The minimum of the pages, which scroll: bars lie over them and need no space of the screen.
     QSize minimumSizeHint() const override;
 
     void show(Page page);
@@ -115,7 +115,7 @@ private:
     SessionActions& m_files;
     CountdownBar* m_countdown;
     MessageBar *m_cutOff, *m_recipe, *m_question, *m_coach, *m_bar;
-    FloatingPlace* m_place; ///< of m_bar
+    FloatingPlace* m_place; ///< of the bars
     QStackedWidget* m_pages;
     RigPage* m_rig;
     ObjectsPage* m_objects;

@@ -190,14 +190,20 @@ TEST(BottomDockTest, EventsOfTheRunBeforeAreNotListedUnderANewExperiment) {
     EXPECT_EQ(events->topLevelItemCount(), 1);
 }
 
-// Catches: alarms out of sight while a recorded run is looked at, and its events mixed with the present ones.
+// Catches: alarms out of sight while a recorded run is looked at, or that move it, and its events mixed with
+// the present ones.
 TEST_F(AlarmsTest, AlarmsAloneAreUnderAReview) {
     ASSERT_NO_FATAL_FAILURE(openAt10Hz());
     auto* dock = find<BottomDock>("eventDock");
     window->pages().show(Page::Review);
-    EXPECT_FALSE(dock->isVisible());
+    waitForLayouts();
+    const QRect page = window->pages().geometry();
+    EXPECT_FALSE(tabs()->isTabVisible(1));
     trigger("robot-alarm");
-    EXPECT_TRUE(waitFor([&] { return isInFront(); }));
+    EXPECT_TRUE(waitFor([&] { return isInFront() && rows()->topLevelItemCount() > 0; }));
+    waitForLayouts();
+    EXPECT_EQ(window->pages().geometry(), page) << "the alarm has moved it";
+    EXPECT_TRUE(dock->isVisible());
     EXPECT_FALSE(tabs()->isTabVisible(1));
     window->pages().show(Page::Run);
     EXPECT_TRUE(tabs()->isTabVisible(1));

@@ -3,6 +3,7 @@
 #include "engine/calibration/camera_file.h"
 #include "widgets/calibrate/pose_words.h"
 #include "widgets/common/display.h"
+#include "widgets/common/floating_place.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/theme.h"
 
@@ -59,6 +60,7 @@ CameraResult::CameraResult(QWidget* parent)
       m_facts(new QLabel(this)), m_numbers(new QTableWidget(this)), m_use(new QPushButton(this)),
       m_save(new QPushButton(this)), m_load(new QPushButton(this)) {
     m_verdict->setObjectName("cameraVerdict");
+    m_verdict->setProperty(kKeptFree_px, kWholeWidget_px);
     m_reason->setObjectName("cameraReason");
     m_facts->setObjectName("cameraFacts");
     m_numbers->setObjectName("cameraNumbers");

@@ -1,6 +1,7 @@
 #include "widgets/calibrate/verdict_box.h"
 
 #include "widgets/calibrate/camera_result.h"
+#include "widgets/common/floating_place.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/theme.h"
 
@@ -27,6 +28,7 @@ VerdictBox::VerdictBox(const QString& name, QWidget* parent)
     m_verdict->setObjectName(name + QStringLiteral("Verdict"));
     m_text->setObjectName(name + QStringLiteral("Text"));
     m_use->setObjectName(name + QStringLiteral("Use"));
+    m_verdict->setProperty(kKeptFree_px, kWholeWidget_px);
     m_verdict->setWordWrap(true); // beside the button there is little room
     m_text->setWordWrap(true);
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);

@@ -1,7 +1,12 @@
 #pragma once
-// Keeps a bar over the lower edge of a page, so that nothing moves under the pointer when it comes and goes.
+// Keeps bars over the lower part of a page, so that nothing moves under the pointer when they come and go.
 
 #include <QObject>
+#include <QPointer>
+#include <QRect>
+
+#include <initializer_list>
+#include <vector>
 
 class QWidget;
 
@@ -12,22 +17,31 @@ namespace bask {
 inline constexpr const char* kKeptFree_px = "keptFree_px";
 inline constexpr int kWholeWidget_px = 1 << 20;
 
-/// Places `bar`, a child of `page` in no layout, over what is seen of the page, in its middle, as high as its
-/// words need. It belongs to the bar.
+/// Places bars, children of `page` in no layout, over what is seen of the page, in its middle, each as high
+/// as its words need: as low as no control and nothing that is kept free is under them, if there is such a
+/// place. They do not lie over each other while there is room, and one that is shown stays where it is when
+/// others come and go. The first lies over the others where there is none. It belongs to the page.
 class FloatingPlace : public QObject {
     Q_OBJECT
 
 public:
-    FloatingPlace(QWidget& bar, QWidget& page);
+    FloatingPlace(QWidget& bar, QWidget& page) : FloatingPlace({&bar}, page) {}
+    FloatingPlace(std::initializer_list<QWidget*> bars, QWidget& page);
 
-    /// Places a bar that is shown anew: something else is on the page.
+    /// Places bars that are shown anew: something else is on the page.
     void place();
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    QWidget& m_bar;
+    void place(QWidget& bar, const std::vector<QRect>& others, int bottom);
+    int lowest() const;
+    QSize wantedSize(const QWidget& bar) const;
+    QRect freePlace(const QRect& wanted, const std::vector<QRect>& others, int highest) const;
+    void raiseInOrder();
+
+    std::vector<QPointer<QWidget>> m_bars;
     QWidget& m_page;
 };
 

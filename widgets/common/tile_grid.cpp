@@ -1,6 +1,7 @@
 #include "widgets/common/tile_grid.h"
 
 #include "engine/model/experiment.h"
+#include "widgets/common/floating_place.h"
 #include "widgets/common/object_tile.h"
 
 #include <QEvent>
@@ -19,6 +20,7 @@ constexpr int kMaxInOneRow = 4;
 TileGrid::TileGrid(QWidget* parent) : QWidget(parent), m_layout(new QGridLayout(this)) {
     m_layout->setContentsMargins(0, 0, 0, 0);
     m_layout->setSpacing(kGapOfTiles);
+    setProperty(kKeptFree_px, kWholeWidget_px);
 }
 
 void TileGrid::setObjects(const QString& objectName, const QStringList& names) {

@@ -1,6 +1,7 @@
 #include "widgets/objects/harmonics_panel.h"
 
 #include "widgets/common/display.h"
+#include "widgets/common/floating_place.h"
 #include "widgets/common/number_field.h"
 #include "widgets/common/theme.h"
 #include "widgets/objects/fourier_fits.h"
@@ -44,6 +45,7 @@ HarmonicsPanel::HarmonicsPanel(QWidget* parent)
     m_useOutline->setObjectName("useOutline");
     m_residual->setObjectName("residual");
     m_verdict->setObjectName("toleranceVerdict");
+    m_verdict->setProperty(kKeptFree_px, kWholeWidget_px);
     m_takeClosest->setObjectName("takeClosest");
     m_warning->setObjectName("crossingWarning");
     m_plot->setObjectName("residualPlot");

@@ -4,6 +4,7 @@
 #include "engine/shape/outline_formats.h"
 #include "widgets/common/display.h"
 #include "widgets/common/file_folders.h"
+#include "widgets/common/floating_place.h"
 #include "widgets/common/folding_splitter.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/message_bar.h"
@@ -123,8 +124,8 @@ ObjectsPage::ObjectsPage(QWidget* parent) : QWidget(parent) {
 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(10, 10, 10, 10);
-    layout->addWidget(m_note);
     layout->addWidget(m_stack, 1);
+    new FloatingPlace(*m_note, *this);
     connectAll();
     refreshTexts();
     showAll();

@@ -6,6 +6,7 @@
 #include "widgets/common/display.h"
 #include "widgets/common/elided_label.h"
 #include "widgets/common/event_list.h"
+#include "widgets/common/floating_place.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/message_bar.h"
 #include "widgets/common/run_label_words.h"
@@ -61,19 +62,28 @@ ReviewPage::ReviewPage(QWidget* parent) : QWidget(parent), m_sessions(new Sessio
     left->addWidget(buildDetails());
     left->setSizes({300, 260});
     left->setMinimumWidth(260);
-    m_stack = new QStackedWidget(this);
+    auto* right = new QWidget(this);
+    m_stack = new QStackedWidget(right);
     m_stack->addWidget(buildEmpty());
     m_stack->addWidget(buildRun());
+    auto* whole = new QVBoxLayout(right);
+    whole->setContentsMargins(0, 0, 0, 0);
+    whole->addWidget(m_stack);
+    m_altered = new MessageBar(right);
+    m_altered->setObjectName("sessionAltered");
+    m_sessions->message()->setParent(right); // beside the list: the row it is about stays in sight
+    new FloatingPlace({m_altered, m_sessions->message()}, *right);
     m_splitter = new QSplitter(Qt::Horizontal, this);
     m_splitter->setChildrenCollapsible(false);
     m_splitter->setHandleWidth(12);
     m_splitter->addWidget(left);
-    m_splitter->addWidget(m_stack);
+    m_splitter->addWidget(right);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(12, 10, 12, 10);
     layout->addWidget(m_splitter);
     for (QPushButton* button : {m_open, m_openEmpty})
         connect(button, &QPushButton::clicked, this, &ReviewPage::openRequested);
+    connect(m_altered, &MessageBar::closed, this, [this] { m_isAlteredSeen = true; });
     connect(m_useIdentified, &QPushButton::clicked, this, &ReviewPage::useIdentifiedRequested);
     connect(m_useExperiment, &QPushButton::clicked, this, &ReviewPage::experimentRequested);
     connect(m_metrics, &MetricsPanel::detailsRequested, this, &ReviewPage::definitionsRequested);
@@ -119,8 +129,6 @@ QWidget* ReviewPage::buildHeader(QWidget* parent) {
     m_outcomeIcon = new QLabel(header);
     m_outcomeWord = new QLabel(header);
     m_outcomeWord->setObjectName("outcomeWord");
-    m_altered = new MessageBar(header);
-    m_altered->setObjectName("sessionAltered");
     m_open = new QPushButton(header);
     m_open->setObjectName("openSession");
     m_export = new QPushButton(header);
@@ -142,7 +150,6 @@ QWidget* ReviewPage::buildHeader(QWidget* parent) {
     auto* layout = new QVBoxLayout(header);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addLayout(title);
-    layout->addWidget(m_altered);
     return header;
 }
 
@@ -446,10 +453,12 @@ void ReviewPage::showVerification() {
         m_verdict && !m_verdict->head.empty() && !isAlteredNow()
             ? tr("Head of the hash chain: %1").arg(QString::fromStdString(m_verdict->head))
             : QString());
-    if (isAlteredNow())
-        m_altered->say(MessageBar::Kind::Problem, text, {}, false);
-    else
+    if (!isAlteredNow()) {
         m_altered->clear();
+        m_isAlteredSeen = false;
+    } else if (!m_isAlteredSeen) {
+        m_altered->say(MessageBar::Kind::Problem, text);
+    }
 }
 
 QString ReviewPage::outcomeText() const {

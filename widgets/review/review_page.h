@@ -116,7 +116,8 @@ private:
     bool m_wasRecording = false; ///< it was still being recorded when it was opened: its rest is missing
     bool m_isDamaged = false;    ///< found since it was opened
     std::optional<SessionVerdict> m_verdict;
-    QString m_unverified; ///< why there is no verdict
+    bool m_isAlteredSeen = false; ///< a person has closed what says so
+    QString m_unverified;         ///< why there is no verdict
     double m_shadeShare = std::numeric_limits<double>::quiet_NaN();
     QStringList m_sentences;
 

@@ -156,7 +156,6 @@ SessionList::SessionList(QWidget* parent)
     layout->addLayout(top);
     layout->addWidget(m_tree, 1);
     layout->addLayout(buttons);
-    layout->addWidget(m_message);
     layout->addLayout(bottom);
 
     connect(m_search, &QLineEdit::textChanged, this, &SessionList::search);

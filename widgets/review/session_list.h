@@ -34,6 +34,9 @@ class SessionList : public QWidget {
 public:
     explicit SessionList(QWidget* parent = nullptr);
 
+    /// What is wrong with the selected run, or that none is found: in no layout, since it comes and goes.
+    MessageBar* message() const { return m_message; }
+
     void setFolder(const QString& folder);
     /// The list is being read: the shown content may be old.
     void setReading();

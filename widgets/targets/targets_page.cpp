@@ -1,6 +1,7 @@
 #include "widgets/targets/targets_page.h"
 
 #include "widgets/common/display.h"
+#include "widgets/common/floating_place.h"
 #include "widgets/common/folding_splitter.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/quantity_spin_box.h"
@@ -82,6 +83,7 @@ TargetsPage::TargetsPage(QWidget* parent)
     room.setRetainSizeWhenHidden(true);
     m_useNearest->setSizePolicy(room);
     makeBold(m_joint);
+    m_joint->setProperty(kKeptFree_px, kWholeWidget_px);
     m_joint->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     connect(m_useNearest, &QPushButton::clicked, this, &TargetsPage::useNearestTogether);
     auto* title = new QHBoxLayout;
@@ -106,6 +108,7 @@ TargetsPage::TargetsPage(QWidget* parent)
 
     auto* content = new QWidget(this);
     m_table = new QWidget(content);
+    m_table->setProperty(kKeptFree_px, kWholeWidget_px); // the verdicts, also those in words below them
     auto* layout = new QVBoxLayout(content);
     layout->setContentsMargins(18, 0, 18, 14);
     layout->setSpacing(12);

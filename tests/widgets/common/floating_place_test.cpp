@@ -112,6 +112,46 @@ TEST_F(FloatingPlaceTest, LeavesFreeWhatHasToBeSeen) {
     EXPECT_TRUE(page.rect().contains(bar->geometry())) << "there is no room above it";
 }
 
+// Catches: a message over a button that was to be pressed, where there is another place for it.
+TEST_F(FloatingPlaceTest, KeepsOffControls) {
+    button->setFixedSize(200, 30);
+    page.layout()->setAlignment(button, Qt::AlignHCenter | Qt::AlignBottom);
+    settle();
+    ASSERT_GT(button->geometry().bottom(), 360);
+    bar->say(MessageBar::Kind::Note, QStringLiteral("Undone."));
+    settle();
+    EXPECT_LT(bar->geometry().bottom(), button->geometry().top());
+    EXPECT_GT(bar->geometry().bottom(), button->geometry().top() - 10) << "no higher than it has to be";
+}
+
+// Catches: bars that lie over each other, and a button that falls under the pointer when a bar below it goes.
+TEST(FloatingPlaces, BarsStandOverOneAnotherAndStay) {
+    QWidget page;
+    auto *first = new MessageBar(&page), *second = new MessageBar(&page), *third = new MessageBar(&page);
+    new FloatingPlace({first, second, third}, page);
+    page.resize(600, 400);
+    page.show();
+    QCoreApplication::processEvents();
+    for (MessageBar* each : {second, first, third}) {
+        each->say(MessageBar::Kind::Note, QStringLiteral("Something is so."), QStringLiteral("Open"));
+        QCoreApplication::processEvents();
+    }
+    EXPECT_GT(second->geometry().top(), first->geometry().bottom());
+    EXPECT_GT(first->geometry().top(), third->geometry().bottom());
+    const QRect before = third->geometry();
+    second->clear();
+    QCoreApplication::processEvents();
+    EXPECT_EQ(third->geometry(), before);
+    second->say(MessageBar::Kind::Note, QStringLiteral("It is so again."));
+    QCoreApplication::processEvents();
+    EXPECT_FALSE(second->geometry().intersects(first->geometry()));
+    EXPECT_EQ(third->geometry(), before);
+    page.resize(600, 60); // no room for all: the first is in front
+    QCoreApplication::processEvents();
+    EXPECT_TRUE(first->isAncestorOf(page.childAt(first->geometry().center())) ||
+                page.childAt(first->geometry().center()) == first);
+}
+
 // Catches: a message at the foot of a long page, below what is seen of it.
 TEST(FloatingPlaceInAScrollArea, StaysInSight) {
     QScrollArea area;
