@@ -4,6 +4,7 @@
 #include "app/report/report_figures.h"
 #include "engine/base/message_code.h"
 #include "engine/base/version.h"
+#include "engine/base/words.h"
 #include "engine/control/controller_catalogue.h"
 #include "engine/exchange/vtk_version.h"
 #include "engine/recording/alarm_history.h"
@@ -127,6 +128,19 @@ QString fieldText(const QString& key, const QJsonValue& value, TemperatureUnit u
         return value.toBool() ? RecordText::tr("targets out of reach accepted") : QString();
     if (key == QLatin1String("targets_K"))
         return listed(value, temperature);
+    if (key == QLatin1String("temperature_K") && isNumber)
+        return temperature(value.toDouble());
+    if (key == QLatin1String("factor") && isNumber)
+        return QStringLiteral("\u00d7 ") + QLocale().toString(value.toDouble());
+    if (key == QLatin1String("fault"))
+        return value.toString() == QLatin1String("none")
+                   ? RecordText::tr("none", "no simulated fault any more")
+                   : QCoreApplication::translate(wordContext(ArgKind::Fault),
+                                                 wordText(ArgKind::Fault, value.toString().toStdString()));
+    if (key == QLatin1String("object") && value.isString())
+        return value.toString();
+    if (key == QLatin1String("on") && value.isBool())
+        return value.toBool() ? QString() : RecordText::tr("ended", "a simulated fault");
     if (key == QLatin1String("kind"))
         for (const ControllerEntry& entry : controllerCatalogue())
             if (value.toString() == QLatin1String(entry.kind.key()))
@@ -149,6 +163,9 @@ QString commandName(const QString& name) {
         {"controller", RecordText::tr("Controller")},
         {"zero", RecordText::tr("Zero the sensors")},
         {"operator", RecordText::tr("Operator")},
+        {"speed", RecordText::tr("Speed of the simulation")},
+        {"source-temperature", RecordText::tr("Temperature of the source, as typed")},
+        {"fault", RecordText::tr("Simulated fault")},
     };
     for (const auto& [known, word] : named)
         if (name == QLatin1String(known))

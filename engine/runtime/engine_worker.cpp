@@ -15,6 +15,7 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <utility>
 
 namespace bask {
 namespace {
@@ -323,7 +324,10 @@ void EngineWorker::endTrial() {
 Result<void> EngineWorker::type(double sourceTemperature_K) {
     if (!m_session->real)
         return Error(MessageCode::RigMissing, {});
-    return m_session->real->typeSourceTemperature(sourceTemperature_K);
+    auto typed = m_session->real->typeSourceTemperature(sourceTemperature_K);
+    if (typed)
+        m_session->loop.reportSourceTyped(sourceTemperature_K);
+    return typed;
 }
 
 Result<void> EngineWorker::tryDevice(const RigSpec& rig) {
@@ -507,7 +511,9 @@ Result<void> EngineWorker::apply(const Command& command) {
     if (const auto* experiment = std::get_if<LoadExperiment>(&command))
         return load(experiment->experiment, experiment->isEdit);
     if (const auto* speed = std::get_if<SetSimulationSpeed>(&command)) {
-        m_speed = std::clamp(speed->factor, 1.0, kMaxSpeed);
+        const double before = std::exchange(m_speed, std::clamp(speed->factor, 1.0, kMaxSpeed));
+        if (m_session && m_session->simulated && m_speed != before)
+            m_session->loop.reportSpeedAsked(m_speed);
         return {};
     }
     if (const auto* set = std::get_if<SetLabels>(&command))
@@ -594,6 +600,7 @@ Result<void> EngineWorker::setLabels(const RunLabels& labels) {
 Result<void> EngineWorker::applyFault(const SimulateFault& fault) {
     if (!m_session->simulated)
         return Error(MessageCode::FaultOnRealRig, {});
+    m_session->loop.reportFaultAsked(fault.fault, fault.object, fault.isOn);
     if (!fault.isOn)
         return endFault(*m_session->simulated, fault.fault, fault.object), Result<void>();
     clearFaults(*m_session->simulated);

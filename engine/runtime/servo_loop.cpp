@@ -131,6 +131,25 @@ void ServoLoop::reportFault(SimulatedFault simulated, std::size_t object) {
         event(MessageCode::EventFault, {name});
 }
 
+void ServoLoop::reportFaultAsked(SimulatedFault simulated, std::size_t object, bool isOn) {
+    if (!isArmedOrOn() && !m_isCooling)
+        return;
+    std::string value = "{\"fault\":" + quoted(simulatedFaultName(simulated));
+    if (isOfObject(simulated) && object < m_experiment.objects.size())
+        value += ",\"object\":" + quoted(m_experiment.objects[object].name);
+    command("fault", value + (isOn ? "}" : ",\"on\":false}"));
+}
+
+void ServoLoop::reportSpeedAsked(double factor) {
+    if (isArmedOrOn() || m_isCooling)
+        command("speed", "{\"factor\":" + formatNumber(factor, 6) + "}");
+}
+
+void ServoLoop::reportSourceTyped(double temperature_K) {
+    if (isArmedOrOn() || m_isCooling)
+        command("source-temperature", "{\"temperature_K\":" + formatNumber(temperature_K, 10) + "}");
+}
+
 void ServoLoop::reportInfeasible(const Message& reason) {
     if (running() && m_state != RunState::Stopping)
         event(reason);

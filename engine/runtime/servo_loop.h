@@ -115,6 +115,10 @@ public:
     void reportShelved(const Alarm& alarm, double for_s); ///< 0: the shelving has ended
     /// Adds an event about a simulated fault.
     void reportFault(SimulatedFault simulated, std::size_t object);
+    /// Record what a person has asked of others, with the operator, while a run is recorded.
+    void reportFaultAsked(SimulatedFault simulated, std::size_t object, bool isOn);
+    void reportSpeedAsked(double factor);
+    void reportSourceTyped(double temperature_K);
     void addNote(const std::string& text);
     /// Says whose the commands, notes and acknowledgements are from now on.
     void setOperator(const std::string& name);

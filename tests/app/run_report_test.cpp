@@ -65,6 +65,10 @@ protected:
             0.0, "controller",
             R"({"kind":"level-servo","level_servo":{"time_constant_s":20},"adaptive":{"mu_1_s":1},"damping":0.5})"}));
         EXPECT_TRUE((*writer)->add(CommandRow{0.0, "later", R"({"a_K":[1.5,-2],"b":true})"}));
+        EXPECT_TRUE((*writer)->add(CommandRow{0.0, "speed", R"({"factor":4.0})"}));
+        EXPECT_TRUE((*writer)->add(CommandRow{0.0, "source-temperature", R"({"temperature_K":453.15})"}));
+        EXPECT_TRUE((*writer)->add(CommandRow{0.0, "fault", R"({"fault":"sensor-lost","object":"right"})"}));
+        EXPECT_TRUE((*writer)->add(CommandRow{0.0, "fault", R"({"fault":"source-lost","on":false})"}));
         EXPECT_TRUE((*writer)->add(CommandRow{0.0, "stop", ""}));
         EXPECT_TRUE((*writer)->add(TraceEvent{0.0, {MessageCode::EventStarted, {}}}));
         for (int k = 0; k < samples; ++k)
@@ -142,11 +146,14 @@ TEST_F(RunReport, HasEverySectionAndTellsTheNumbers) {
     EXPECT_TRUE(text.contains(QString::fromUtf8("\u00b1 0.18 K"))) << "0.25 K by the root of two sensors";
     EXPECT_TRUE(text.contains("The sensor of \"right\"")) << text.toStdString();
     EXPECT_TRUE(text.contains("alarm, priority 3"));
-    for (const char* command : {"Arm: surroundings 24.82 °C; offsets of the sensors +0.07 K, "
-                                "\u22120.13 K; zeroed 2026-11-23 09:27:14 UTC",
-                                "\nStart\n", "Targets: 40.00 °C, 47.50 °C",
-                                "Controller: damping 0.5; Level servo; time_constant_s 20\n",
-                                "later: a_K 1.5, -2; b true", "Acknowledge: The sensor of \"right\""})
+    for (const char* command :
+         {"Arm: surroundings 24.82 °C; offsets of the sensors +0.07 K, "
+          "\u22120.13 K; zeroed 2026-11-23 09:27:14 UTC",
+          "\nStart\n", "Targets: 40.00 °C, 47.50 °C",
+          "Controller: damping 0.5; Level servo; time_constant_s 20\n", "later: a_K 1.5, -2; b true",
+          "Speed of the simulation: \u00d7 4", "Temperature of the source, as typed: 180.00 °C",
+          "Simulated fault: Sensor lost; right", "Simulated fault: Heat source lost; ended",
+          "Acknowledge: The sensor of \"right\""})
         EXPECT_TRUE(text.contains(QString::fromUtf8(command))) << command << text.toStdString();
     EXPECT_TRUE(text.contains("40.0 °C"));
     const double step_K = 15.0 - 0.01; // of the true temperature

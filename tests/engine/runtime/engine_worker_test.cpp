@@ -291,6 +291,36 @@ TEST(EngineWorker, RecordsWhoOperatesAndWhatIsHeated) {
     EXPECT_EQ(names, "arm by A. Hu; start by A. Hu; operator by B. Li; targets by B. Li; stop by B. Li; ");
 }
 
+// Catches a fault that a person simulates, or a speed that one chooses, in a recording without a row.
+TEST(EngineWorker, RecordsWhoSimulatesAFaultAndChoosesTheSpeed) {
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath("run.bask").toStdString();
+    Rig rig;
+    rig.send(SetLabels{{"A. Hu", "", ""}});
+    rig.send(SetSimulationSpeed{20.0});
+    rig.send(LoadExperiment{oneDisk()});
+    ASSERT_TRUE(rig.reaches(RunState::Ready));
+    rig.send(Arm{path});
+    ASSERT_TRUE(rig.reaches(RunState::Armed));
+    rig.send(SetSimulationSpeed{10.0});
+    rig.send(SetSimulationSpeed{10.0});
+    rig.send(Start{});
+    ASSERT_TRUE(rig.reaches(RunState::Running));
+    rig.send(SimulateFault{SimulatedFault::SourceLimited, 0});
+    rig.send(SimulateFault{SimulatedFault::None, 0});
+    rig.send(Stop{});
+    ASSERT_TRUE(rig.reaches(RunState::Stopped));
+    ASSERT_TRUE(rig.waitFor([&] { return rig.last.recordingPath.empty(); }));
+    const auto session = readSession(path);
+    ASSERT_TRUE(session) << describe(session.error());
+    std::string names;
+    for (const CommandRow& command : session->commands)
+        names += command.name + " by " + command.operatorName + "; ";
+    EXPECT_EQ(
+        names,
+        "arm by A. Hu; speed by A. Hu; start by A. Hu; fault by A. Hu; fault by A. Hu; stop by A. Hu; ");
+}
+
 TEST(EngineWorker, AnAlarmKeepsWhoHasSeenIt) {
     const QTemporaryDir folder;
     const std::string path = folder.filePath("alarms.json").toStdString();

@@ -46,6 +46,34 @@ TEST_F(ServoLoopTest, NothingMovesOrHeatsBeforeStart) {
     EXPECT_NEAR(rig.trueTemperatures_K()[0], experiment.environment_K, 1e-6);
 }
 
+// Catches what a person asks in a run, and has no row or no operator.
+TEST_F(ServoLoopTest, RecordsWhatIsAskedOfOthersWithTheOperator) {
+    periods(60);
+    const auto ask = [&] {
+        loop.reportSpeedAsked(4.0);
+        loop.reportSourceTyped(453.15);
+        loop.reportFaultAsked(SimulatedFault::SensorLost, 0, true);
+        loop.reportFaultAsked(SimulatedFault::SourceLost, 0, false);
+        loop.reportFaultAsked(SimulatedFault::None, 0, true);
+    };
+    ask();
+    EXPECT_TRUE(loop.takeRecord().commands.empty()) << "nothing is recorded";
+    loop.setOperator("A. Hu");
+    ASSERT_TRUE(loop.arm());
+    (void)loop.takeRecord();
+    ask();
+    std::string told;
+    for (const CommandRow& command : loop.takeRecord().commands)
+        told += command.operatorName + ": " + command.name + ' ' + command.value + '\n';
+    EXPECT_EQ(told, "A. Hu: speed {\"factor\":4}\n"
+                    "A. Hu: source-temperature {\"temperature_K\":453.15}\n"
+                    "A. Hu: fault {\"fault\":\"sensor-lost\",\"object\":\"" +
+                        experiment.objects[0].name +
+                        "\"}\n"
+                        "A. Hu: fault {\"fault\":\"source-lost\",\"on\":false}\n"
+                        "A. Hu: fault {\"fault\":\"none\"}\n");
+}
+
 // Catches an Arm that is taken back and taken for the end of a run.
 TEST_F(ServoLoopTest, DisarmingIsACommandAndStopsNoRun) {
     periods(60);
