@@ -37,40 +37,70 @@ _CHUNK = 4096  # samples that fit the processor's cache
 _Column = namedtuple("_Column", "name unit key table log")
 _POSE = tuple(_Column("", "", key, "pose", f"instrument/robot/{key.split('_')[0]}")
               for key in ("x_m", "y_m", "z_m", "qw", "qx", "qy", "qz"))
-_RUN = (_Column("source", "degC", "source_K", "source", "instrument/heat_source_surface/value_log"),)
+# From engine/model/trace_sample.h, by the test PythonColumns (CONTRIBUTING.md):
+_RUN = (
+    _Column("source", "degC", "source_K", "source",
+            "instrument/heat_source_surface/value_log"),
+)
 _OBJECT = (
-    _Column("measured", "degC", "measured_K", "sample", "temperature_env/sensor/value_log"),
-    _Column("estimate", "degC", "estimated_K", "sample", "temperature_estimate"),
-    _Column("target", "degC", "target_K", "sample", "temperature_target"),
-    _Column("error", "K", "", None, None),  # measured minus target, not stored
-    _Column("rate", "K/s", "rate_K_s", "sample", "temperature_env/sensor/value_deriv1_log"),
-    _Column("view factor", "1", "view_factor", "sample", "view_factor"),
-    _Column("view factor without shade", "1", "view_factor_unshaded", None, "view_factor_unshaded"),
-    _Column("reading valid", "1", "reading_valid", "object_state", "temperature_env/sensor/valid_log"),
-    _Column("true", "degC", "temperature_K", "truth", "temperature_true"),
-    _Column("camera", "degC", "camera_K", None, "temperature_env/thermal_camera/value_log"),
+    _Column("measured", "degC", "measured_K", "sample",
+            "temperature_env/sensor/value_log"),
+    _Column("estimate", "degC", "estimated_K", "sample",
+            "temperature_estimate"),
+    _Column("target", "degC", "target_K", "sample",
+            "temperature_target"),
+    _Column("error", "K", "", None,
+            None),
+    _Column("rate", "K/s", "rate_K_s", "sample",
+            "temperature_env/sensor/value_deriv1_log"),
+    _Column("view factor", "1", "view_factor", "sample",
+            "view_factor"),
+    _Column("view factor without shade", "1", "view_factor_unshaded", None,
+            "view_factor_unshaded"),
+    _Column("reading valid", "1", "reading_valid", "object_state",
+            "temperature_env/sensor/valid_log"),
+    _Column("true", "degC", "temperature_K", "truth",
+            "temperature_true"),
+    _Column("camera", "degC", "camera_K", None,
+            "temperature_env/thermal_camera/value_log"),
     _Column("camera standard uncertainty", "K", "camera_uncertainty_K", None,
             "temperature_env/thermal_camera/uncertainty_log"),
-    _Column("camera spread", "K", "camera_spread_K", None, "temperature_env/thermal_camera/spread_log"),
-    _Column("camera pixels", "1", "camera_pixels", None, "temperature_env/thermal_camera/pixels_log"),
+    _Column("camera spread", "K", "camera_spread_K", None,
+            "temperature_env/thermal_camera/spread_log"),
+    _Column("camera pixels", "1", "camera_pixels", None,
+            "temperature_env/thermal_camera/pixels_log"),
 )
+# Not in traces.csv:
+_OTHER_RUN = (
+    _Column("vx", "m/s", "vx_m_s", "motion",
+            "instrument/robot/vx"),
+    _Column("vy", "m/s", "vy_m_s", "motion",
+            "instrument/robot/vy"),
+    _Column("vz", "m/s", "vz_m_s", "motion",
+            "instrument/robot/vz"),
+    _Column("wx", "rad/s", "wx_rad_s", "motion",
+            "instrument/robot/wx"),
+    _Column("wy", "rad/s", "wy_rad_s", "motion",
+            "instrument/robot/wy"),
+    _Column("wz", "rad/s", "wz_rad_s", "motion",
+            "instrument/robot/wz"),
+    _Column("smallest singular value", "1", "smallest_singular_value", "motion",
+            "instrument/robot/smallest_singular_value"),
+    _Column("limited", "1", "limited", "motion",
+            "instrument/robot/limits"),
+)
+_OTHER_OBJECT = (
+    _Column("lambda1", "K/s", "lambda1_K_s", "object_state",
+            "lambda1"),
+    _Column("lambda2", "1/(K^3 s)", "lambda2_1_K3s", "object_state",
+            "lambda2"),
+)
+# That far.
 _THETA = tuple(f"theta_{axis} (rad)" for axis in "xyz")
 _EQUAL_TIMES = 10  # samples of one moment; no run has more than two
 # Where NeXus files of Bask 0.2.0 have what has another place now:
 _EARLIER = {"run/simulated": "simulated", "run/outcome": "outcome", "properties/time": "time",
             "instrument/heat_source_surface/value_log/value": "instrument/heat_source/surface/value_log/value"}
-# Not in traces.csv:
-_OTHER_RUN = (
-    *(_Column(f"v{axis}", "m/s", f"v{axis}_m_s", "motion", f"instrument/robot/v{axis}") for axis in "xyz"),
-    *(_Column(f"w{axis}", "rad/s", f"w{axis}_rad_s", "motion", f"instrument/robot/w{axis}") for axis in "xyz"),
-    _Column("smallest singular value", "1", "smallest_singular_value", "motion",
-            "instrument/robot/smallest_singular_value"),
-    _Column("limited", "1", "limited", "motion", "instrument/robot/limits"),
-)
-_OTHER_OBJECT = (
-    _Column("lambda1", "K/s", "lambda1_K_s", "object_state", "lambda1"),
-    _Column("lambda2", "1/(K^3 s)", "lambda2_1_K3s", "object_state", "lambda2"),
-)
 
 
 Event = namedtuple("Event", "time_s code text args")  # text: in English; args: what it is filled with, None from NeXus
