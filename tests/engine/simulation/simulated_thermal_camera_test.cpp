@@ -177,6 +177,7 @@ TEST(SimulatedThermalCamera, DeliversWhatWasThereWhenItsFrameWasTaken) {
 struct Trial {
     double true_K = 0.0, read_K = 0.0, stated_K = 0.0, withoutReflection_K = 0.0;
     double emittance = 0.0, F = 0.0;
+    double byEmittance_K = 0.0; ///< what of the stated uncertainty comes from it, two sigma
     bool isUsable = false;
 };
 
@@ -236,16 +237,34 @@ Trial trial(std::uint64_t seed) {
     out.isUsable = true;
     out.read_K = read->face.T_K;
     out.stated_K = 2.0 * read->face.standardUncertainty_K;
+    out.byEmittance_K = 2.0 * read->face.fromEmittance_K;
     out.withoutReflection_K = plain->face.T_K;
     return out;
 }
 
-// Numbers of THERMAL_CAMERA: within the stated two sigma in 93 to 97 % of 500 scenes.
+// What can be reached: at F 0.9 and 300 degC an emittance known to +-0.02 alone makes +-2.3 K at emittance
+// 0.9;
+// +-0.6 K would ask for one known to +-0.005. By an integral of Planck's law apart from this program.
+TEST(ThermalReading, HangsOnTheEmittanceTheMoreTheFaceSees) {
+    const std::pair<FaceSurroundings, double> cases[]{{face(0.9, 0.3, kelvinFromCelsius(200.0)), 7.3},
+                                                      {face(0.9, 0.9, kelvinFromCelsius(200.0)), 53.1},
+                                                      {face(0.9, 0.3, kelvinFromCelsius(300.0)), 28.1},
+                                                      {face(0.9, 0.9, kelvinFromCelsius(300.0)), 115.4}};
+    for (const auto& [seen, dT_K] : cases) {
+        const double T_K = kelvinFromCelsius(40.0);
+        const double apparent_K = apparentTemperature(thermalBand(), seen, T_K);
+        EXPECT_NEAR(faceTemperature(thermalBand(), seen, apparent_K)->sensitivities.byEmittance, dT_K, 0.06);
+    }
+}
+
+// Within the stated two sigma in 93 to 97 % of 500 scenes. At emittance 0.9 two sigma are below 0.6 K up to F
+// 0.3; beyond that all but what the emittance makes stays below 0.7 K in nine of ten (see above).
 TEST(ThermalReading, LiesWithinItsStatedUncertaintyAsOftenAsItSays) {
     constexpr std::uint64_t kScenes = 500;
     int usable = 0, within = 0;
     double squares = 0.0, plainSquares = 0.0;
-    std::vector<double> stated;
+    std::vector<double> stated,
+        otherwise; // at emittance 0.9 and F up to 0.3; at any F, without the emittance
     for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
         const Trial one = trial(seed);
         if (!one.isUsable)
@@ -256,9 +275,12 @@ TEST(ThermalReading, LiesWithinItsStatedUncertaintyAsOftenAsItSays) {
         plainSquares += std::pow(one.withoutReflection_K - one.true_K, 2);
         if (one.emittance > 0.88 && one.emittance < 0.92 && one.F < 0.3)
             stated.push_back(one.stated_K);
+        if (one.emittance > 0.88 && one.emittance < 0.92)
+            otherwise.push_back(std::sqrt(std::pow(one.stated_K, 2) - std::pow(one.byEmittance_K, 2)));
     }
     const double share = static_cast<double>(within) / usable;
     std::ranges::sort(stated);
+    std::ranges::sort(otherwise);
     const double rms_K = std::sqrt(squares / usable), plain_K = std::sqrt(plainSquares / usable);
     RecordProperty("percent_within_two_sigma", std::to_string(100.0 * share));
     RecordProperty("rms_K", std::to_string(rms_K));
@@ -269,6 +291,8 @@ TEST(ThermalReading, LiesWithinItsStatedUncertaintyAsOftenAsItSays) {
     EXPECT_LE(share, 0.97);
     EXPECT_GT(plain_K, 5.0 * rms_K);
     EXPECT_LT(stated[stated.size() / 2], 0.6);
+    RecordProperty("largest_two_sigma_K_without_the_emittance", std::to_string(otherwise.back()));
+    EXPECT_LT(otherwise[otherwise.size() * 9 / 10], 0.7);
 }
 
 } // namespace
