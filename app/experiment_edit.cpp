@@ -70,7 +70,10 @@ constexpr std::array kRows{
     Row{EditKind::SetPoint, EditScope::All, Page::Rig,
         [](Experiment& to, const Experiment& from) { to.source.temperature_K = from.source.temperature_K; }},
     Row{EditKind::Emittance, EditScope::All, Page::Rig,
-        [](Experiment& to, const Experiment& from) { to.source.emittance = from.source.emittance; }},
+        [](Experiment& to, const Experiment& from) {
+            to.source.emittance = from.source.emittance;
+            to.source.emittanceUncertainty = from.source.emittanceUncertainty;
+        }},
     Row{EditKind::Workspace, EditScope::All, Page::Rig,
         [](Experiment& to, const Experiment& from) {
             to.robot.lower = from.robot.lower;

@@ -36,12 +36,13 @@ constexpr double kReading = 0.5; // the share of reading the frames
 constexpr const char* kFirstColumns = "radius_mm,temperature_ratio";
 
 /// What is known of the plate and the camera, which is not zeroed: docs/thermal-cameras.md.
-ReadingUncertainty uncertaintyAbout(double environment_K) {
+ReadingUncertainty uncertaintyAbout(const Experiment& experiment, const ThermalProfile& camera) {
+    constexpr double kNotZeroed_K = 1.0;
     ReadingUncertainty out;
-    out.gain = 0.01;
-    out.gainAbout_K = environment_K;
-    out.offset_K = 1.0;
-    out.emittance = 0.01;
+    out.gain = camera.uncertainty.gain;
+    out.gainAbout_K = experiment.environment_K;
+    out.offset_K = std::max(kNotZeroed_K, camera.uncertainty.offset_K);
+    out.emittance = experiment.source.emittanceUncertainty;
     out.T_env_K = 0.3;
     return out;
 }
@@ -118,6 +119,7 @@ struct PlateProfileArguments {
     Pose X_RC = Pose::Identity();
     double own_K = 0.0;
     std::vector<PlateView> views;
+    ThermalProfile profile; ///< of tables without one: a usual camera's band and uncertainty
 };
 
 Result<PlateProfileArguments> readPlateProfileArguments(const QCommandLineParser& parser, Progress& progress,
@@ -155,7 +157,12 @@ Result<PlateProfileArguments> readPlateProfileArguments(const QCommandLineParser
         return views.error();
     if (!PixelRays::isUsable(*lens))
         return Error{MessageCode::LensNotInvertible, parser.value("camera").toStdString()};
-    return PlateProfileArguments{std::move(*experiment), std::move(*lens), *X_RC, *own_K, std::move(*views)};
+    return PlateProfileArguments{std::move(*experiment),
+                                 std::move(*lens),
+                                 *X_RC,
+                                 *own_K,
+                                 std::move(*views),
+                                 profile->value_or(ThermalProfile())};
 }
 
 double ratioOf(const PlateRing& ring, double own_K, double environment_K) {
@@ -258,10 +265,10 @@ int plateProfileCommand(const QStringList& arguments) {
     const double room_K = request->experiment.environment_K, own_K = request->own_K;
     if (!std::holds_alternative<Disk>(source.shape) || !source.uneven.parts.empty())
         return refuse(kPlateProfile, QStringLiteral("only a source that is one disk has a profile"));
-    const auto found = plateProfile(thermalBand(), PixelRays(request->lens), request->X_RC,
-                                    {source.shape, poseFromCoordinates(source.pose)}, request->views,
-                                    {source.emittance, {}, room_K}, uncertaintyAbout(room_K), {},
-                                    partOf(done, kReading, 1.0));
+    const auto found = plateProfile(
+        *bandOf(request->profile), PixelRays(request->lens), request->X_RC,
+        {source.shape, poseFromCoordinates(source.pose)}, request->views, {source.emittance, {}, room_K},
+        uncertaintyAbout(request->experiment, request->profile), {}, partOf(done, kReading, 1.0));
     progress.makeRoom();
     if (!found) {
         const int code = refuse(kPlateProfile, found.error());

@@ -118,7 +118,8 @@ Json sourceJson(const SourceSpec& source) {
     putParameters(j, sourceParameters().first(1), source);
     if (!source.temperatureProfile.empty()) // beside the set point
         j["temperature_profile"] = setPointsJson(source.temperatureProfile);
-    putParameters(j, sourceParameters().subspan(1), source);
+    putParameters(j, sourceParameters().subspan(1, 1), source);
+    putChangedParameters(j, sourceParameters().subspan(2), source);
     j["source_model"] = source.model == SourceModel::Paper ? "paper" : "gray";
     j["pose"] = coordinatesJson(source.pose);
     j["tracked"] = source.tracked;

@@ -328,8 +328,9 @@ void checkThermalCalibration(Checker& check, const std::string& path, const Ther
 /// cooler than it is.
 Result<void> checkTold(const ObjectSpec& object, const ThermalProfile& profile, double environment_K) {
     const FaceSurroundings face{object.material.emittance, {}, environment_K};
+    const auto band = bandOf(profile);
     const auto limit_K = [&](double apparent_K, double otherwise_degC) {
-        const auto limit = faceTemperature(thermalBand(), face, apparent_K);
+        const auto limit = faceTemperature(*band, face, apparent_K);
         return limit ? limit->T_K : kelvinFromCelsius(otherwise_degC);
     };
     const double min_K = limit_K(profile.min_K, kMinTemperature_degC);

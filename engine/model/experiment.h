@@ -82,6 +82,7 @@ struct SourceSpec {
     /// Set point, also used for estimated rates and verdicts; control uses the measured temperature.
     double temperature_K = 473.15;
     double emittance = 0.25;
+    double emittanceUncertainty = 0.01; ///< standard; used by the thermal camera
     SourceModel model = SourceModel::Gray;
     ContourOrigin origin{};
     Vector6d pose = Vector6d::Zero(); ///< coordinates of X_RS, S in the robot's base R (m, rad)

@@ -79,6 +79,7 @@ constexpr Parameter<Air> kAir[]{
 constexpr Parameter<SourceSpec> kSource[]{
     {{"temperature", kCelsius, kAnyTemperature, Never, "", "", 1, kRequired}, &SourceSpec::temperature_K},
     {{"emittance", kNone, kPositiveShare, Never, "", "", 3, kRequired}, &SourceSpec::emittance},
+    {{"emittance_uncertainty", kNone, {0.0, 1.0}, Never, "", "", 3}, &SourceSpec::emittanceUncertainty},
 };
 
 constexpr Parameter<MarkerSpec> kMarker[]{

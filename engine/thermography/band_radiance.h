@@ -17,6 +17,7 @@ inline constexpr double kThermalBandFrom_m = 8e-6, kThermalBandTo_m = 14e-6;
 struct BandResponse {
     double wavelength_m = 0.0;
     double response = 0.0;
+    bool operator==(const BandResponse&) const = default;
 };
 
 /// L(T) = integral over the band of R(lambda) 2 h c^2 / (lambda^5 (exp(h c / (lambda k T)) - 1)), by the

@@ -4,7 +4,6 @@
 #include "engine/base/message_code.h"
 #include "engine/base/plain_text.h"
 #include "engine/base/units.h"
-#include "engine/thermography/band_radiance.h"
 
 #include <nlohmann/json.hpp>
 
@@ -47,6 +46,67 @@ void readTemperature(Fields& fields, const std::string& key, double& out_K, bool
         fields.fail(MessageCode::ValueOutOfRange, fields.pathOf(key),
                     {formatNumber(value_degC), formatNumber(celsiusFromKelvin(kMinBand_K), 6),
                      formatNumber(celsiusFromKelvin(kMaxBand_K), 6), "degC"});
+}
+
+constexpr double kMinBand_um = 1.0, kMaxBand_um = 50.0;
+constexpr std::size_t kMaxResponse = 500;
+constexpr double kMaxGain = 0.2, kMaxOffset_K = 20.0, kMaxDrift_K_min = 10.0; // uncertainties
+
+/// A standard uncertainty from 0 to `max`.
+void readUncertainty(Fields& fields, const std::string& key, double& out, double max, const char* unit) {
+    fields.read(key, out);
+    if (!(out >= 0.0 && out <= max))
+        fields.fail(MessageCode::ValueOutOfRange, fields.pathOf(key),
+                    {formatNumber(out), "0", formatNumber(max), unit});
+}
+
+/// Wavelengths have to grow, within what thermal cameras see.
+void addResponse(const Fields& fields, const std::string& place, double wavelength_um, double response,
+                 std::vector<BandResponse>& out) {
+    const double least_um = out.empty() ? kMinBand_um : 1e6 * out.back().wavelength_m;
+    const bool isGrowing = out.empty() ? wavelength_um >= least_um : wavelength_um > least_um;
+    if (!isGrowing || !(wavelength_um <= kMaxBand_um))
+        return fields.fail(
+            MessageCode::ValueOutOfRange, place,
+            {formatNumber(wavelength_um), formatNumber(least_um, 6), formatNumber(kMaxBand_um), "um"});
+    if (!(response >= 0.0 && response <= 1e6))
+        return fields.fail(MessageCode::ValueOutOfRange, place, {formatNumber(response), "0", "1000000", ""});
+    out.push_back({1e-6 * wavelength_um, response});
+}
+
+/// "band_um": [8, 14], or "response": [[7.5, 0.2], [8, 1], ...].
+void readBand(Fields& fields, std::vector<BandResponse>& out) {
+    const json* const band = fields.find("band_um");
+    const json* const response = fields.find("response");
+    if (band != nullptr && response != nullptr)
+        return fields.fail(MessageCode::JsonTwoSpellings, "response", {"band_um", "response"});
+    const auto isPair = [](const json& j) {
+        return j.is_array() && j.size() == 2 && j[0].is_number() && j[1].is_number();
+    };
+    if (band != nullptr) {
+        if (!isPair(*band))
+            return fields.fail(MessageCode::JsonWrongType, "band_um",
+                               {"two wavelengths in um", typeName(*band)});
+        for (const json& end : *band)
+            addResponse(fields, "band_um", end.get<double>(), 1.0, out);
+    }
+    if (response == nullptr)
+        return;
+    if (!response->is_array() || response->size() < 2 || response->size() > kMaxResponse)
+        return fields.fail(MessageCode::JsonWrongType, "response",
+                           {"2 to " + std::to_string(kMaxResponse) + " pairs of um and weight",
+                            response->is_array() ? std::to_string(response->size()) + " entries"
+                                                 : std::string(typeName(*response))});
+    for (std::size_t k = 0; k < response->size() && !fields.failure(); ++k) {
+        const std::string place = "response[" + std::to_string(k) + ']';
+        if (!isPair((*response)[k]))
+            return fields.fail(MessageCode::JsonWrongType, place,
+                               {"a pair of um and weight", typeName((*response)[k])});
+        addResponse(fields, place, (*response)[k][0].get<double>(), (*response)[k][1].get<double>(), out);
+    }
+    const bool isSeeing = std::ranges::any_of(out, [](const BandResponse& r) { return r.response > 0.0; });
+    if (!fields.failure() && !isSeeing)
+        fields.fail(MessageCode::ValueNotPositive, "response", {"0"});
 }
 
 void readPositive(Fields& fields, const std::string& key, double& out, bool required) {
@@ -92,6 +152,10 @@ void readThermalProfile(const json& j, Failure& failure, ThermalProfile& out) {
         readTemperature(fields, "warn_above_degC", out.warnAbove_K.emplace(), false);
     if (fields.find("frame_rate_Hz") != nullptr)
         readPositive(fields, "frame_rate_Hz", out.frameRate_Hz.emplace(), false);
+    readUncertainty(fields, "gain", out.uncertainty.gain, kMaxGain, "");
+    readUncertainty(fields, "offset_K", out.uncertainty.offset_K, kMaxOffset_K, "K");
+    readUncertainty(fields, "drift_K_per_min", out.uncertainty.drift_K_min, kMaxDrift_K_min, "K/min");
+    readBand(fields, out.response);
     fields.close();
     if (out.name.empty())
         fields.fail(MessageCode::JsonWrongType, "name", {"a name", "nothing"});
@@ -123,6 +187,12 @@ double ThermalProfile::temperature_K(double number) const {
         break;
     }
     return value;
+}
+
+std::shared_ptr<const BandRadiance> bandOf(const ThermalProfile& profile) {
+    if (profile.response.empty())
+        return {std::shared_ptr<const BandRadiance>(), &thermalBand()};
+    return std::make_shared<const BandRadiance>(profile.response);
 }
 
 Result<ThermalProfile> thermalProfileFromJson(const std::string& text, const std::string& where) {
@@ -160,6 +230,14 @@ std::string thermalProfileToJson(const ThermalProfile& profile) {
         temperature("warn_above_degC", *profile.warnAbove_K);
     if (profile.frameRate_Hz)
         j["frame_rate_Hz"] = *profile.frameRate_Hz;
+    j["gain"] = profile.uncertainty.gain;
+    j["offset_K"] = profile.uncertainty.offset_K;
+    j["drift_K_per_min"] = profile.uncertainty.drift_K_min;
+    for (const BandResponse& point : profile.response) {
+        const double rounded_um = std::round(point.wavelength_m * 1e12) / 1e6;
+        const bool isExact = 1e-6 * rounded_um == point.wavelength_m;
+        j["response"].push_back({isExact ? rounded_um : 1e6 * point.wavelength_m, point.response});
+    }
     return j.dump();
 }
 

@@ -2,9 +2,11 @@
 // What the bytes of a thermal camera mean, as data: a new camera needs only a file.
 
 #include "engine/base/result.h"
+#include "engine/thermography/band_radiance.h"
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +15,14 @@ namespace bask {
 
 /// The unit of scale * number + offset.
 enum class CountUnit { Kelvin, Celsius, Fahrenheit };
+
+/// Standard uncertainties of a thermal camera that has been zeroed.
+struct ThermalCameraUncertainty {
+    double gain = 0.01;        ///< relative to the distance from the temperature of the zeroing
+    double offset_K = 0.1;     ///< between two shutter events
+    double drift_K_min = 0.05; ///< since the last one
+    bool operator==(const ThermalCameraUncertainty&) const = default;
+};
 
 /// A camera that gives 16 bits a pixel, row by row. A frame of it is `skipTop` rows, `height` rows of
 /// temperatures, `skipBottom` rows and, in some frames, `optionalBottom` rows more.
@@ -30,6 +40,9 @@ struct ThermalProfile {
     double min_K = 0.0, max_K = 0.0;    ///< what the camera can tell; other values are no temperatures of it
     std::optional<double> warnAbove_K;  ///< above this its values are known to be wrong, or nobody knows
     std::optional<double> frameRate_Hz; ///< of recorded frames that have no times
+    ThermalCameraUncertainty uncertainty{};
+    /// What the camera sees of the spectrum; empty: 8 to 14 um, evenly.
+    std::vector<BandResponse> response{};
 
     bool operator==(const ThermalProfile&) const = default;
 
@@ -39,6 +52,9 @@ struct ThermalProfile {
     /// Returns the temperature (K) for a number, whether the camera can tell it or not.
     double temperature_K(double number) const;
 };
+
+/// Returns the band of a camera; of cameras without a curve it is thermalBand().
+std::shared_ptr<const BandRadiance> bandOf(const ThermalProfile& profile);
 
 /// Parses a profile; `where` names it in errors. Refuses unknown, repeated and missing keys, wrong types and
 /// numbers out of range. docs/thermal-cameras.md lists the keys.

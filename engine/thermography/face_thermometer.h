@@ -2,6 +2,7 @@
 // A thermal camera as thermometer: from one picture the temperatures of the objects that it shows, with the
 // reflections computed and with what they are uncertain by.
 
+#include "engine/thermography/camera_profile.h"
 #include "engine/thermography/face_pixels.h"
 #include "engine/thermography/face_temperature.h"
 #include "engine/thermography/region_statistics.h"
@@ -33,14 +34,6 @@ struct KnownFace {
 struct ReadObject {
     PlacedPlate plate;
     KnownFace front, back; ///< the camera sees one of them
-};
-
-/// Standard uncertainties of a thermal camera that has been zeroed.
-struct ThermalCameraUncertainty {
-    double gain = 0.01;        ///< relative to the distance from the temperature of the zeroing
-    double offset_K = 0.1;     ///< between two shutter events
-    double drift_K_min = 0.05; ///< since the last one
-    bool operator==(const ThermalCameraUncertainty&) const = default;
 };
 
 /// What the camera told too much (K) of an object at a known temperature.

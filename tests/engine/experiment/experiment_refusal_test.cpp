@@ -174,6 +174,8 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     MovingSource, ChangedKey,
     ::testing::Values(
+        Change{"/source/emittance_uncertainty", "-0.1", ValueOutOfRange, "source.emittance_uncertainty"},
+        Change{"/source/emittance_uncertainty", "\"much\"", JsonWrongType, "source.emittance_uncertainty"},
         Change{"/source/tracked", "1", JsonWrongType, "source.tracked"},
         Change{"/source/pose/x_cm", "501", ValueOutOfRange, "source.pose.x_cm"},
         Change{"/source/pose/theta_y_deg", "91", ValueOutOfRange, "source.pose.theta_y_deg"},

@@ -207,6 +207,7 @@ private:
         for (int i = 0; i < static_cast<int>(m_random() % 4); ++i)
             s.temperatureProfile.push_back({10.0 * i + real(0, 10), real(400, 700)});
         s.tracked = m_random() % 2 == 0;
+        s.emittanceUncertainty = real(0, 0.1);
         return s;
     }
 

@@ -83,6 +83,22 @@ TEST(ThermalProfile, refusesWhatItCannotMean) {
                                                           {"warn_above_degC", -300},
                                                           {"offset", "0"},
                                                           {"offset", 1e6},
+                                                          {"gain", -0.01},
+                                                          {"gain", 0.3},
+                                                          {"offset_K", 21},
+                                                          {"drift_K_per_min", -1},
+                                                          {"drift_K_per_min", "slow"},
+                                                          {"band_um", 8},
+                                                          {"band_um", {8}},
+                                                          {"band_um", {14, 8}},
+                                                          {"band_um", {8, 60}},
+                                                          {"band_um", {0.5, 8}},
+                                                          {"response", {{8, 1}}},
+                                                          {"response", {{8, 1}, {8, 1}}},
+                                                          {"response", {{8, 1}, {9, -1}}},
+                                                          {"response", {{8, 0}, {9, 0}}},
+                                                          {"response", {{8, 1}, {9, "1"}}},
+                                                          {"response", {8, 9}},
                                                           {"colour", "grey"}};
     for (const auto& [key, value] : bad) {
         auto json = minimal();
@@ -103,6 +119,40 @@ TEST(ThermalProfile, refusesWhatItCannotMean) {
     EXPECT_FALSE(thermalProfileFromJson("{\"name\": ", "p"));
 }
 
+// Catches: a camera's own band and accuracy that are not those of its file, or get lost when it is stored.
+TEST(ThermalProfile, hasABandAndUncertaintiesOfItsOwn) {
+    const ThermalProfile usual = thermalProfileFromJson(minimal().dump(), "p").value();
+    EXPECT_EQ(usual.uncertainty, ThermalCameraUncertainty());
+    EXPECT_EQ(bandOf(usual).get(), &thermalBand());
+    auto json = minimal();
+    json["gain"] = 0.02;
+    json["offset_K"] = 0.3;
+    json["drift_K_per_min"] = 0.2;
+    json["response"] = {{7.5, 0.0}, {8.2, 0.85}, {13.1, 0.6}, {14, 0}};
+    const ThermalProfile own = thermalProfileFromJson(json.dump(), "p").value();
+    EXPECT_EQ(own.uncertainty, (ThermalCameraUncertainty{0.02, 0.3, 0.2}));
+    ASSERT_EQ(own.response.size(), 4U);
+    EXPECT_DOUBLE_EQ(own.response[1].wavelength_m, 8.2e-6);
+    EXPECT_EQ(thermalProfileFromJson(thermalProfileToJson(own), "p").value(), own);
+    EXPECT_EQ(bandOf(own)->radiance(350.0), BandRadiance(own.response).radiance(350.0));
+    json.erase("response");
+    json["band_um"] = {3, 5};
+    const ThermalProfile medium = thermalProfileFromJson(json.dump(), "p").value();
+    EXPECT_NEAR(bandOf(medium)->radiance(350.0), BandRadiance(3e-6, 5e-6).radiance(350.0), 1e-8);
+    EXPECT_EQ(thermalProfileFromJson(thermalProfileToJson(medium), "p").value(), medium);
+    json["response"] = {{8, 1}, {14, 1}};
+    EXPECT_EQ(thermalProfileFromJson(json.dump(), "p").error().code(), MessageCode::JsonTwoSpellings);
+}
+
+// Catches: a refusal without its place.
+TEST(ThermalProfile, tellsWhichPointOfItsResponseIsWrong) {
+    auto json = minimal();
+    json["response"] = {{8, 1}, {10, 1}, {9, 1}};
+    const auto refused = thermalProfileFromJson(json.dump(), "p.json");
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().where.find("response[2]"), std::string::npos) << refused.error().where;
+}
+
 TEST(ThermalProfile, anUnknownNameIsToldTheKnownOnes) {
     const auto refused = findThermalProfile("lepton");
     ASSERT_FALSE(refused);
@@ -119,9 +169,11 @@ TEST(ThermalProfile, theDocumentHasEveryKeyAndAnExampleThatIsRead) {
     std::stringstream text;
     text << file.rdbuf();
     const std::string document = text.str();
-    for (const char* key : {"name", "title", "source", "width", "height", "skip_top", "skip_bottom",
-                            "optional_bottom", "bits", "byte_order", "scale", "offset", "unit", "min_degC",
-                            "max_degC", "warn_above_degC", "frame_rate_Hz"})
+    for (const char* key :
+         {"name",        "title",           "source",   "width",           "height",        "skip_top",
+          "skip_bottom", "optional_bottom", "bits",     "byte_order",      "scale",         "offset",
+          "unit",        "min_degC",        "max_degC", "warn_above_degC", "frame_rate_Hz", "gain",
+          "offset_K",    "drift_K_per_min", "band_um",  "response"})
         EXPECT_NE(document.find('`' + std::string(key) + '`'), std::string::npos) << key;
     for (const ThermalProfile& profile : shippedThermalProfiles())
         EXPECT_NE(document.find('`' + profile.name + '`'), std::string::npos) << profile.name;
