@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 namespace bask {
 
@@ -15,6 +16,9 @@ struct ThermalCameraFrame {
     double time_s = 0.0;      ///< when it was taken, on the engine's clock
     std::uint64_t number = 0; ///< increases with every frame of a camera
     ThermalFrame frame;
+    /// When the camera's shutter was last seen to open before this frame, on the engine's clock; empty: that
+    /// is not known.
+    std::optional<double> shutter_s{};
 };
 
 /// Captures in the background; newest() may be called from any one thread and never waits.

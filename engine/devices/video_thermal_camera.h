@@ -5,12 +5,14 @@
 #include "engine/devices/thermal_camera.h"
 #include "engine/devices/thermal_frame_source.h"
 
+#include <atomic>
 #include <memory>
 #include <string>
 
 namespace bask {
 
-/// Repeated frames of a live camera are those of its closed shutter, and are ignored. Drivers and formats
+/// Repeated frames of a live camera are those of its closed shutter, and are ignored; frames tell when it was
+/// open again (ShutterWatch), until the camera is opened anew. Drivers and formats
 /// were tried with recorded bytes, never with a camera.
 class VideoThermalCamera final : public ThermalCamera {
 public:
@@ -27,9 +29,13 @@ public:
     LeftOutPictures leftOut() const override { return m_capture.leftOut(); }
 
 private:
+    using ShutterTime = std::shared_ptr<std::atomic<double>>; ///< on SteadyClock; NaN: not known
+    static Opener watched(Opener opener, const ThermalProfile& profile, ShutterTime shutter_s);
+
     ThermalProfile m_profile;
     const Clock& m_clock;
     SteadyClock m_steady;
+    ShutterTime m_shutter_s; ///< written by the capture's thread
     BackgroundCapture<CaughtThermalFrame> m_capture;
     std::shared_ptr<const ThermalCameraFrame> m_newest;
 };

@@ -1,6 +1,7 @@
 // Thermal frames from recordings and from devices that misbehave.
 
 #include "engine/base/message_code.h"
+#include "engine/devices/shutter_watch.h"
 #include "engine/devices/video_thermal_camera.h"
 #include "tests/engine/devices/video_samples.h"
 
@@ -246,6 +247,47 @@ TEST(VideoThermalCamera, IsOpenedAgainWhenNoGoodFrameComesForASecond) {
     *isBad = false;
     EXPECT_TRUE(waitUntil([&] { return camera.newest().ok(); }));
     EXPECT_GT(*opened, 1);
+}
+
+TEST(ShutterWatch, SeesAGapThatIsLongForTheCamera) {
+    ShutterWatch fast(25.0), slow(5.0);
+    for (int k = 0; k < 20; ++k)
+        fast.add(0.04 * k);
+    EXPECT_FALSE(fast.opened_s());
+    fast.add(0.76 + 0.29);
+    EXPECT_FALSE(fast.opened_s()) << "a frame or two were lost";
+    fast.add(1.05 + 0.31);
+    EXPECT_EQ(fast.opened_s(), 1.36);
+    fast.add(1.4);
+    EXPECT_EQ(fast.opened_s(), 1.36);
+    slow.add(0.0);
+    slow.add(0.4);
+    EXPECT_FALSE(slow.opened_s());
+    slow.add(0.95);
+    EXPECT_EQ(slow.opened_s(), 0.95);
+}
+
+// Catches a shutter event that is not told, or told at another time, and one of a camera opened anew.
+TEST(VideoThermalCamera, TellsWhenItsShutterWasOpenAgain) {
+    const auto state = std::make_shared<std::atomic<int>>(0);
+    VideoThermalCamera camera("scripted", lepton(), kTestClock, [state](const std::function<bool()>&) {
+        return Result<std::unique_ptr<ThermalFrameSource>>(std::make_unique<ShutterSource>(state));
+    });
+    ASSERT_TRUE(waitUntil([&] { return camera.newest().ok(); }));
+    EXPECT_FALSE(camera.newest().value()->shutter_s);
+    *state = 1;
+    const double shut_s = kTestClock.now_s();
+    ASSERT_TRUE(waitUntil([&] { return kTestClock.now_s() > shut_s + 0.45; }));
+    (void)camera.newest();
+    *state = 0;
+    const double open_s = kTestClock.now_s();
+    ASSERT_TRUE(waitUntil([&] {
+        const auto frame = camera.newest();
+        return frame && (*frame)->shutter_s && *(*frame)->shutter_s > shut_s;
+    }));
+    const auto frame = camera.newest().value();
+    EXPECT_GE(*frame->shutter_s, open_s - 0.1);
+    EXPECT_LE(*frame->shutter_s, frame->time_s + 1e-9);
 }
 
 TEST(VideoThermalCamera, KeepsTheLastFrameWhileTheShutterIsClosedAndTellsALoss) {
