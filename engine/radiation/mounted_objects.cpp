@@ -5,6 +5,7 @@
 #include "engine/radiation/plate_crossing.h"
 
 #include <algorithm>
+#include <numbers>
 #include <utility>
 
 namespace bask {
@@ -38,6 +39,14 @@ void MountedObjects::setSourceAt(const Pose& X_RS) {
     m_shields.clear();
     for (const StandingContour& shield : m_screens.shields)
         m_shields.push_back({shield.contour, X_SR * shield.X_RB, false});
+}
+
+MountedObjects MountedObjects::turnedOver(const Pose& X_RS) const {
+    const Pose turned(Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitX()));
+    std::vector<MountedContour> backs;
+    for (const MountedContour& object : m_objects)
+        backs.push_back({object.contour.impl().plate().back(), object.X_EO * turned});
+    return MountedObjects(std::move(backs), m_screens, X_RS);
 }
 
 Blocker MountedObjects::held(std::size_t plate, const Pose& X_SE) const {

@@ -60,6 +60,9 @@ public:
     /// Moves the source: the shields stay where they are in R.
     void setSourceAt(const Pose& X_RS);
 
+    /// Returns the same objects with their backs as heated faces, among the same screens.
+    MountedObjects turnedOver(const Pose& X_RS) const;
+
     std::size_t size() const { return m_objects.size(); }
     bool empty() const { return m_objects.empty(); }
     const MountedContour& operator[](std::size_t i) const { return m_objects[i]; }

@@ -58,8 +58,9 @@ bool faceEachOther(const MountedObjects& objects, const PlateFace& a, const Plat
            !platesCross(plateA.contour, plateA.X_EO, plateB.contour, plateB.X_EO);
 }
 
-/// View factors from each of the 2N faces (rows) to each other.
-Eigen::MatrixXd viewFactorsBetween(const MountedObjects& objects) {
+} // namespace
+
+Eigen::MatrixXd faceViewFactors(const MountedObjects& objects) {
     const std::vector<PlateFace> faces = facesOf(objects);
     const auto count = static_cast<Eigen::Index>(faces.size());
     Eigen::MatrixXd F = Eigen::MatrixXd::Zero(count, count);
@@ -82,18 +83,16 @@ Eigen::MatrixXd viewFactorsBetween(const MountedObjects& objects) {
             F(i, j) = value;
             F(j, i) = value * from.area_m2() / to.area_m2();
         }
-    return F;
+    return F.isZero(0.0) ? Eigen::MatrixXd() : F;
 }
-
-} // namespace
 
 Neighbours::Neighbours(const MountedObjects& objects, const std::vector<FaceMaterial>& fronts) {
     if (fronts.size() != objects.size())
         throw std::invalid_argument("Neighbours: one material an object");
     if (!objects.mayShade()) // no front sees anything of another plate
         return;
-    const Eigen::MatrixXd F = viewFactorsBetween(objects);
-    if (F.isZero(0.0))
+    const Eigen::MatrixXd F = faceViewFactors(objects);
+    if (F.size() == 0)
         return;
     const auto N = static_cast<Eigen::Index>(objects.size());
     Eigen::VectorXd emittance(N);

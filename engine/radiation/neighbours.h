@@ -15,6 +15,11 @@ struct FaceMaterial {
     double absorptance = 0.9; ///< for the source's radiation
 };
 
+/// Returns the view factors from each face (rows) to each other, the fronts of the N objects, then their
+/// backs, with the shade of the other objects and of fixtures, to 1e-5; empty if none sees another. Objects
+/// that pass through one another do not.
+Eigen::MatrixXd faceViewFactors(const MountedObjects& objects);
+
 /// What N objects on one end-effector receive from one another, beyond what the room would send from there.
 /// They move as one, so it does not depend on the pose. Faces are gray and diffuse; backs are adiabatic: they
 /// give back what falls on them. The source sends back nothing of what they radiate. Objects that do not see

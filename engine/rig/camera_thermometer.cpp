@@ -19,23 +19,47 @@ constexpr double kCooled_s = 600.0;   // since the source was not cold last: obj
 constexpr double kBoardGone_s = 10.0; // after it is looked for no more: a person takes it away
 constexpr int kZeroFrames = 20;       // over which a zero is the mean
 constexpr double kKept_s = 5.0;       // of moments, longer than any frame is under way
-constexpr double kSinceShutter_s = 90.0; // when a shutter closed last is not told: half of a usual period
+constexpr double kShutterPeriod_s = 180.0; // usual: it closed that long ago, where it is not told
+constexpr double kLately_s = 10.0;         // of what the camera told of a neighbour
+constexpr double kRoom_K = 0.3, kSource_K = 1.0, kSensor_K = 0.5; // standard uncertainties
+constexpr double kUnknown_K = 20.0; // above the room: how warm a neighbour may be that nothing tells of
 
 } // namespace
 
 CameraThermometer::CameraThermometer(CameraThermometerSetup setup, ThermalCamera& camera, Robot& robot,
                                      HeatSource& source, const Clock& clock)
     : m_setup(std::move(setup)), m_camera(camera), m_robot(robot), m_source(source), m_rays(m_setup.camera),
-      m_clock(clock), m_zeros(m_setup.objects.size()), m_zeroFrames(m_setup.objects.size()),
-      m_seen(m_setup.objects.size()) {}
+      m_clock(clock), m_band(bandOf(camera.profile())), m_reflections(m_setup.reflecting, m_band),
+      m_told(m_setup.objects.size()), m_zeros(m_setup.objects.size()), m_zeroFrames(m_setup.objects.size()),
+      m_seen(m_setup.objects.size()) {
+    if (!m_setup.isSourceTracked)
+        m_X_RS = m_setup.geometry->X_RS();
+}
 
-std::optional<double> CameraThermometer::seenSource_K() const {
+std::optional<KnownTemperature> CameraThermometer::seenSource() const {
     if (m_setup.hasShutter && !m_source.heating())
-        return m_setup.environment_K;
+        return KnownTemperature{m_setup.environment_K, kRoom_K};
     const auto reading = m_source.read();
     const bool isKnown =
         reading && reading->valid && reading->value_K > kMinBand_K && reading->value_K < kMaxBand_K;
-    return isKnown ? std::optional(reading->value_K) : std::nullopt;
+    if (!isKnown)
+        return std::nullopt;
+    const double told_K = reading->standardUncertainty_K;
+    return KnownTemperature{reading->value_K, told_K > 0.0 ? told_K : kSource_K};
+}
+
+// The camera first: a sensor that came off its object must not make its neighbours doubtful.
+KnownTemperature CameraThermometer::temperatureOf(std::size_t object) const {
+    if (const auto& told = m_told[object]; told && m_frame->time_s - told->time_s < kLately_s)
+        return told->known;
+    if (object < m_sensors.size() && m_sensors[object].valid && m_sensors[object].value_K > kMinBand_K &&
+        m_sensors[object].value_K < kMaxBand_K) {
+        const double told_K = m_sensors[object].standardUncertainty_K;
+        return {m_sensors[object].value_K, told_K > 0.0 ? told_K : kSensor_K};
+    }
+    if (isCold())
+        return {m_setup.environment_K, kRoom_K};
+    return {m_setup.environment_K + 0.5 * kUnknown_K, standardOfLimits(0.5 * kUnknown_K)};
 }
 
 bool CameraThermometer::isCold() const {
@@ -49,9 +73,9 @@ void CameraThermometer::setRoom(double environment_K) {
 }
 
 void CameraThermometer::noteMoment() {
-    const std::optional<double> source_K = seenSource_K();
-    m_isSourceCold = source_K && *source_K < m_setup.environment_K + kCold_K;
-    if (source_K && !m_isSourceCold)
+    const std::optional<KnownTemperature> source = seenSource();
+    m_isSourceCold = source && source->T_K < m_setup.environment_K + kCold_K;
+    if (source && !m_isSourceCold)
         m_hot_s = m_clock.now_s();
     const auto state = m_robot.state();
     if (!state) {
@@ -63,7 +87,8 @@ void CameraThermometer::noteMoment() {
         m_setup.geometry->lowestPoint_m(state->coordinates) > -m_setup.geometry->floor_m();
     if (!m_moments.empty() && state->time_s <= m_moments.back().time_s)
         m_moments.pop_back();
-    m_moments.push_back({state->time_s, state->coordinates, state->isPlaceSure && isPossible, source_K});
+    m_moments.push_back(
+        {state->time_s, state->coordinates, state->isPlaceSure && isPossible, source, m_X_RS});
     while (m_moments.size() > 2 && m_moments[1].time_s < state->time_s - kKept_s)
         m_moments.pop_front();
 }
@@ -77,42 +102,62 @@ Vector6d CameraThermometer::placeAt(double time_s) const {
     return m_moments.front().q;
 }
 
+std::optional<Pose> CameraThermometer::sourceAt(double time_s) const {
+    for (std::size_t k = m_moments.size(); k-- > 1;) {
+        const Moment &a = m_moments[k - 1], &b = m_moments[k];
+        if (time_s < a.time_s)
+            continue;
+        if (!a.X_RS || !b.X_RS)
+            break;
+        const double share = std::clamp((time_s - a.time_s) / (b.time_s - a.time_s), 0.0, 1.0);
+        Pose X_RS(Eigen::Quaterniond(a.X_RS->linear()).slerp(share, Eigen::Quaterniond(b.X_RS->linear())));
+        X_RS.translation() = a.X_RS->translation() + share * (b.X_RS->translation() - a.X_RS->translation());
+        return X_RS;
+    }
+    return nearest(time_s).X_RS;
+}
+
 const CameraThermometer::Moment& CameraThermometer::nearest(double time_s) const {
     return *std::ranges::min_element(m_moments, {},
                                      [&](const Moment& moment) { return std::abs(moment.time_s - time_s); });
 }
 
-std::vector<ReadObject> CameraThermometer::objectsAt(const Vector6d& q, double source_K) const {
-    constexpr double kEmittance = 0.01, kRoom_K = 0.3, kSource_K = 1.0, kViewFactor = 0.005;
-    const Eigen::VectorXd F = m_setup.geometry->viewFactorsFast(q);
-    const Pose X_RE = poseFromCoordinates(q);
-    std::vector<ReadObject> out;
-    for (std::size_t i = 0; i < m_setup.objects.size(); ++i) {
-        const ObjectSpec& object = m_setup.objects[i];
-        const double emittance = object.material.emittance, room_K = m_setup.environment_K;
-        const auto told = object.material.uncertainties.find("emittance");
-        const double known = told == object.material.uncertainties.end() ? kEmittance : told->second;
-        const double seen = std::clamp(F[static_cast<Eigen::Index>(i)], 0.0, 1.0);
-        ReadObject read;
-        read.plate = {object.shape, X_RE * poseFromCoordinates(object.mounting)};
-        read.front = {{emittance, {{seen, source_K, m_setup.sourceEmittance}}, room_K},
-                      known,
-                      kRoom_K,
-                      {{kViewFactor, kSource_K, kEmittance}}};
-        read.back = {{emittance, {}, room_K}, known, kRoom_K, {}};
-        out.push_back(std::move(read));
+std::vector<ReadObject> CameraThermometer::objectsAt(const Vector6d& q, const Moment& then) {
+    const std::size_t N = m_setup.objects.size();
+    const KnownTemperature room{m_setup.environment_K, kRoom_K};
+    ReflectionMoment moment{poseFromCoordinates(q),
+                            then.X_RS.value_or(m_setup.geometry->X_RS()),
+                            then.source.value_or(room),
+                            room,
+                            {}};
+    std::vector<Pose> poses;
+    std::vector<bool> wanted(2 * N);
+    for (std::size_t i = 0; i < N; ++i) {
+        moment.objects.push_back(temperatureOf(i));
+        poses.push_back(moment.X_RE * poseFromCoordinates(m_setup.objects[i].mounting));
+        const bool isFront = (poses[i].inverse() * m_setup.X_RC->translation()).z() < 0.0;
+        wanted[isFront ? i : N + i] = true;
     }
+    std::vector<KnownFace> faces = m_reflections.at(moment, wanted);
+    std::vector<ReadObject> out;
+    for (std::size_t i = 0; i < N; ++i)
+        out.push_back({{m_setup.objects[i].shape, poses[i]}, std::move(faces[i]), std::move(faces[N + i])});
     return out;
 }
 
-std::vector<PlacedPlate> CameraThermometer::screensAt(const Vector6d& q) const {
+std::vector<PlacedPlate> CameraThermometer::screensAt(const Vector6d& q, const Moment& then) const {
     const Pose X_RE = poseFromCoordinates(q);
-    std::vector<PlacedPlate> out{{m_setup.source, m_setup.geometry->X_RS()}};
+    std::vector<PlacedPlate> out{{m_setup.source, then.X_RS.value_or(m_setup.geometry->X_RS())}};
     for (const PlateSpec& fixture : m_setup.fixtures)
         out.push_back({fixture.shape, X_RE * poseFromCoordinates(fixture.pose)});
     for (const PlateSpec& shield : m_setup.shields)
         out.push_back({shield.shape, poseFromCoordinates(shield.pose)});
     return out;
+}
+
+double CameraThermometer::sinceShutter_s() const {
+    const auto& shutter_s = m_frame->shutter_s;
+    return shutter_s ? std::max(m_frame->time_s - *shutter_s, 0.0) : kShutterPeriod_s;
 }
 
 Result<std::vector<Reading>> CameraThermometer::read() {
@@ -151,20 +196,26 @@ void CameraThermometer::readFrame() {
         return invalidate({MessageCode::ThermalPlaceUnsure, {}});
     if (m_isBoardShown || m_frame->time_s < m_board_s + kBoardGone_s)
         return invalidate({MessageCode::ThermalFaceHidden, {"0", std::to_string(rigPixels().minPixels)}});
-    invalidate({});
-    const Moment& then = nearest(m_frame->time_s);
+    Moment then = nearest(m_frame->time_s);
+    if (m_setup.isSourceTracked)
+        then.X_RS = sourceAt(m_frame->time_s);
     const Vector6d q = placeAt(m_frame->time_s);
-    const std::vector<ReadObject> objects = objectsAt(q, then.source_K.value_or(m_setup.environment_K));
-    const std::vector<PlacedPlate> screens = screensAt(q);
-    const auto readAll = [&] {
-        return readObjects(thermalBand(), m_frame->frame.picture, m_rays, *m_setup.X_RC, objects, screens,
-                           m_zeros, {}, kSinceShutter_s, rigPixels(m_setup.sight));
-    };
-    auto read = readAll();
-    if (findZeros(objects, read))
-        read = readAll();
-    for (std::size_t i = 0; i < read.size(); ++i)
-        take(i, then, objects[i], std::move(read[i]));
+    const std::vector<PlacedPlate> screens = screensAt(q, then);
+    const int passes = m_reflections.exchange() ? 2 : 1;
+    for (int pass = 0; pass < passes; ++pass) {
+        invalidate({});
+        const std::vector<ReadObject> objects = objectsAt(q, then);
+        const auto readAll = [&] {
+            return readObjects(*m_band, m_frame->frame.picture, m_rays, *m_setup.X_RC, objects, screens,
+                               m_zeros, m_camera.profile().uncertainty, sinceShutter_s(),
+                               rigPixels(m_setup.sight));
+        };
+        auto read = readAll();
+        if (pass == 0 && findZeros(objects, read))
+            read = readAll();
+        for (std::size_t i = 0; i < read.size(); ++i)
+            take(i, then, objects[i], std::move(read[i]));
+    }
 }
 
 void CameraThermometer::setBoardShown(bool isShown) {
@@ -192,8 +243,8 @@ bool CameraThermometer::findZeros(const std::vector<ReadObject>& objects,
             std::abs(region.mean_K - *middle) > kTogether_K)
             continue;
         const KnownFace& face = read[i]->seen.isFront ? objects[i].front : objects[i].back;
-        CameraZero zero = zeroAt(thermalBand(), face.surroundings, m_setup.environment_K, kKnown_K,
-                                 region.mean_K, region.standardError_K);
+        CameraZero zero = zeroAt(*m_band, face.surroundings, m_setup.environment_K, kKnown_K, region.mean_K,
+                                 region.standardError_K);
         m_zeroFrames[i] = std::min(m_zeroFrames[i] + 1, kZeroFrames);
         if (m_zeros[i]) {
             zero.offset_K = m_zeros[i]->offset_K + (zero.offset_K - m_zeros[i]->offset_K) / m_zeroFrames[i];
@@ -216,35 +267,39 @@ void CameraThermometer::take(std::size_t object, const Moment& then, const ReadO
     seen.isPartlyOutside = !reading->seen.isWhole;
     const RegionStatistics& region = reading->region;
     const auto& warnAbove_K = m_camera.profile().warnAbove_K;
+    const KnownFace& face = reading->seen.isFront ? known.front : known.back;
+    const bool isReflecting =
+        m_reflections.seesSource(reading->seen.isFront ? object : m_setup.objects.size() + object);
     if (!m_zeros[object])
         seen.reading.reason = {MessageCode::ThermalNotZeroed, {}};
-    else if (reading->seen.isFront && !m_setup.isSourceEven)
+    else if (isReflecting && !then.X_RS)
         seen.reading.reason = {MessageCode::ThermalSourceUneven, {}};
-    else if (reading->seen.isFront && !then.source_K)
+    else if (isReflecting && !then.source)
         seen.reading.reason = {MessageCode::ThermalSourceUnknown, {}};
     else if (warnAbove_K && region.max_K > *warnAbove_K)
         seen.reading.reason = {MessageCode::ThermalAboveRange, {temperatureArg(*warnAbove_K)}};
     if (seen.reading.reason.code != MessageCode::None)
         return;
-    const FaceReading& face = reading->face;
-    seen.reading = Reading{m_frame->time_s, face.T_K, true, SensorFault::None, face.standardUncertainty_K};
-    seen.sample = {face.T_K, face.standardUncertainty_K,
+    const FaceReading& told = reading->face;
+    m_told[object] = Told{m_frame->time_s, {told.T_K, told.standardUncertainty_K}};
+    seen.reading = Reading{m_frame->time_s, told.T_K, true, SensorFault::None, told.standardUncertainty_K};
+    seen.sample = {told.T_K, told.standardUncertainty_K,
                    region.difference ? region.difference->value_K : std::numeric_limits<double>::quiet_NaN(),
                    static_cast<double>(region.pixels), seen.isPartlyOutside};
-    seen.face = (reading->seen.isFront ? known.front : known.back).surroundings;
+    seen.face = face.surroundings;
     seen.apparent_K = region.mean_K - m_zeros[object]->offset_K;
 }
 
 double CameraThermometer::explainingEmittance(std::size_t object, double T_K) const {
     const Seen& seen = m_seen.at(object);
     return seen.reading.valid && T_K > kMinBand_K && T_K < kMaxBand_K
-               ? bask::explainingEmittance(thermalBand(), seen.face, seen.apparent_K, T_K)
+               ? bask::explainingEmittance(*m_band, seen.face, seen.apparent_K, T_K)
                : std::numeric_limits<double>::quiet_NaN();
 }
 
 double CameraThermometer::reflected_K(std::size_t object) const {
     const Seen& seen = m_seen.at(object);
-    return seen.reading.valid ? reflectedTemperature(thermalBand(), seen.face)
+    return seen.reading.valid ? reflectedTemperature(*m_band, seen.face)
                               : std::numeric_limits<double>::quiet_NaN();
 }
 

@@ -11,6 +11,7 @@
 #include "engine/model/experiment.h"
 #include "engine/model/trace.h"
 #include "engine/model/trace_sample.h"
+#include "engine/rig/face_reflections.h"
 #include "engine/thermography/face_thermometer.h"
 #include "engine/thermography/thermal_view.h"
 
@@ -30,21 +31,24 @@ struct CameraThermometerSetup {
     SightUncertainty sight;   ///< by that of X_RC
     std::vector<ObjectSpec> objects;
     std::vector<PlateSpec> fixtures, shields;
-    Shape source;                                ///< at the geometry's X_RS
+    Shape source;                                ///< at the geometry's X_RS, unless it is tracked
     std::shared_ptr<const RigGeometry> geometry; ///< of these objects
-    double sourceEmittance = 1.0;
+    ReflectingRig reflecting;                    ///< the same objects
     double environment_K = 298.15;
     /// The source is behind a shutter: with the heat off the objects see the room instead.
     bool hasShutter = false;
-    /// The source is even, and stays at the geometry's X_RS: else what a face reflects of it is not known.
-    bool isSourceEven = true;
+    /// The source is where setSource() says; before that what a face reflects of it is not known.
+    bool isSourceTracked = false;
 };
 
 /// Frames before any heat, with a cold source, have to show the objects as cold as the room: the first zeroes
 /// the camera on an object, the later ones make that better. Until then, while an object cannot be read,
 /// while the last frame is old, and while the robot does not know its place, its reading is invalid and says
-/// why. The pose at a frame's time is between those of two readings, on a line. What neighbours emit is not
-/// reflected: in one plane they do not see one another. Use it on the engine thread.
+/// why. The pose at a frame's time is between those of two readings, on a line. Neighbours are as warm as the
+/// camera read them last, or as their sensors say; where objects see one another, what a frame tells is put
+/// in once more. That is enough: an error of a neighbour's temperature comes back times its emittance, its
+/// view factor and (1 - eps) / eps of the face, less than a tenth in all where eps is 0.8 or more, and
+/// between two frames temperatures change by a kelvin or two. Use it on the engine thread.
 class CameraThermometer final : public Thermometer {
 public:
     /// What is kept where the rig stays and the experiment changes.
@@ -82,6 +86,10 @@ public:
     /// While a calibration board is held before the camera, and for some seconds after, nothing is read: its
     /// pixels lie where the objects are.
     void setBoardShown(bool isShown);
+    /// Sets where a tracked source is now; empty: nobody knows.
+    void setSource(const std::optional<Pose>& X_RS) { m_X_RS = X_RS; }
+    /// Sets what the sensors on the objects say now, one reading for each object.
+    void setSensors(std::vector<Reading> readings) { m_sensors = std::move(readings); }
     /// Sets the temperature of the room, as other thermometers tell it while everything is cold.
     void setRoom(double environment_K);
     /// Whether frames may be used for zeroing: the source is cold, and has been for some minutes.
@@ -100,7 +108,8 @@ private:
         double time_s;
         Vector6d q;
         bool isPlaceSure;
-        std::optional<double> source_K; ///< what the objects see; empty: unknown
+        std::optional<KnownTemperature> source; ///< what the objects see; empty: unknown
+        std::optional<Pose> X_RS;               ///< empty: unknown
     };
     /// An object in the last frame.
     struct Seen {
@@ -111,13 +120,21 @@ private:
         FaceSurroundings face; ///< as the camera sees it, if it could be read
         double apparent_K = 0.0;
     };
-    std::optional<double> seenSource_K() const;
+    /// What the camera told of an object, and when.
+    struct Told {
+        double time_s;
+        KnownTemperature known;
+    };
+    std::optional<KnownTemperature> seenSource() const;
+    KnownTemperature temperatureOf(std::size_t object) const;
     void noteMoment();
     void invalidate(const Message& reason);
     Vector6d placeAt(double time_s) const;
+    std::optional<Pose> sourceAt(double time_s) const;
     const Moment& nearest(double time_s) const;
-    std::vector<ReadObject> objectsAt(const Vector6d& q, double source_K) const;
-    std::vector<PlacedPlate> screensAt(const Vector6d& q) const;
+    std::vector<ReadObject> objectsAt(const Vector6d& q, const Moment& then);
+    std::vector<PlacedPlate> screensAt(const Vector6d& q, const Moment& then) const;
+    double sinceShutter_s() const;
     void readFrame();
     bool findZeros(const std::vector<ReadObject>& objects, const std::vector<Result<ObjectReading>>& read);
     void take(std::size_t object, const Moment& then, const ReadObject& known, Result<ObjectReading> reading);
@@ -129,6 +146,11 @@ private:
     HeatSource& m_source;
     PixelRays m_rays;
     const Clock& m_clock;
+    std::shared_ptr<const BandRadiance> m_band; ///< of the camera
+    FaceReflections m_reflections;
+    std::optional<Pose> m_X_RS; ///< of the source now
+    std::vector<Reading> m_sensors;
+    std::vector<std::optional<Told>> m_told; ///< last, of each object
     std::deque<Moment> m_moments;
     std::shared_ptr<const ThermalCameraFrame> m_frame; ///< the last one; null before the first
     bool m_isSourceCold = false;                       ///< known to be

@@ -46,6 +46,10 @@ Result<std::vector<Reading>> ObjectThermometer::read() {
     const bool hasContact = isBy(ReadBy::Contact) || isBy(ReadBy::Both);
     const bool hasCamera = isBy(ReadBy::Camera);
     const auto byContact = hasContact ? readContact() : Result<std::vector<Reading>>(std::vector<Reading>());
+    if (byContact && hasContact)
+        m_camera->setSensors(*byContact);
+    else
+        m_camera->setSensors({});
     const auto byCamera = m_camera->read();
     m_contactProblem = byContact ? Message{} : byContact.error().message;
     m_cameraProblem = byCamera ? Message{} : byCamera.error().message;

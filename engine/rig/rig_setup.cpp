@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <random>
 
 namespace bask {
@@ -129,13 +130,50 @@ SimulatedCameraConfig simulatedCameraConfig(const Experiment& experiment) {
     return config;
 }
 
+using HotPlate = SimulatedThermalCameraConfig::HotPlate;
+
+/// The temperature of a profile at a radius, as rings are made of it: linear between its points.
+PartTemperature temperatureAt(const std::vector<ProfilePoint>& profile, double radius_m) {
+    const auto above = std::ranges::upper_bound(profile, radius_m, {}, &ProfilePoint::radius_m);
+    const ProfilePoint& b = above == profile.end() ? profile.back() : *above;
+    const ProfilePoint& a = above == profile.begin() ? b : *std::prev(above);
+    const double share = b.radius_m > a.radius_m
+                             ? std::clamp((radius_m - a.radius_m) / (b.radius_m - a.radius_m), 0.0, 1.0)
+                             : 0.0;
+    return {std::lerp(a.temperatureRatio, b.temperatureRatio, share),
+            std::lerp(a.temperatureOffset_K, b.temperatureOffset_K, share)};
+}
+
+/// The source as a camera sees it: its plate, its parts, or the rings of its profile as disks that cover one
+/// another, each as hot as in its middle.
+std::vector<HotPlate> hotPlates(const Experiment& experiment) {
+    constexpr int kShownRings = 40; // finer than the pixels
+    const double emittance = trueSourceEmittance(experiment);
+    const Shape& shape = experiment.source.shape;
+    const Unevenness& uneven = trueUnevenness(experiment);
+    if (uneven.isEven())
+        return {{shape, Pose::Identity(), emittance}};
+    std::vector<HotPlate> out;
+    for (const SourcePartSpec& part : uneven.parts)
+        out.push_back({part.shape,
+                       poseFromCoordinates(part.pose),
+                       part.emittance.value_or(emittance),
+                       {part.temperatureRatio, part.temperatureOffset_K}});
+    for (int k = uneven.profile.empty() ? 0 : kShownRings; k > 0; --k) {
+        const double ring_m = shapeRadius(shape) / kShownRings;
+        out.push_back({Disk{k * ring_m}, Pose::Identity(), emittance,
+                       temperatureAt(uneven.profile, (k - 0.5) * ring_m)});
+    }
+    return out;
+}
+
 SimulatedThermalCameraConfig simulatedThermalCameraConfig(const Experiment& experiment) {
     const SimulatedThermalCameraSpec spec = simulatedThermalCamera(experiment).value();
     SimulatedThermalCameraConfig config;
     config.profile = findThermalProfile(spec.profile).value();
     config.camera = usualThermalLens(config.profile);
     config.X_RC = trueThermalPose(experiment);
-    config.source = {{experiment.source.shape, Pose::Identity(), trueSourceEmittance(experiment)}};
+    config.source = hotPlates(experiment);
     for (const ObjectSpec& object : experiment.objects)
         config.objects.push_back({object.shape, poseFromCoordinates(object.mounting)});
     for (const PlateSpec& fixture : experiment.fixtures)
@@ -198,6 +236,31 @@ SimulatedRigConfig simulatedRigConfig(const Experiment& experiment) {
     return config;
 }
 
+ReflectingRig reflectingRig(const Experiment& experiment) {
+    constexpr double kEmittance = 0.01; // standard uncertainty, where the material does not state it
+    const SourceSpec& source = experiment.source;
+    ReflectingRig rig;
+    rig.objects =
+        MountedObjects(mountedContours(experiment), screensOf(experiment), poseFromCoordinates(source.pose));
+    for (const ObjectSpec& object : experiment.objects) {
+        const auto told = object.material.uncertainties.find("emittance");
+        rig.emittances.push_back(object.material.emittance);
+        rig.emittanceUncertainties.push_back(told == object.material.uncertainties.end() ? kEmittance
+                                                                                         : told->second);
+    }
+    rig.sourceEmittanceUncertainty = source.emittanceUncertainty;
+    if (source.uneven.isEven()) {
+        rig.sourceTerms = {{RadiatingContour(source.shape)}};
+        rig.emission = {source.model, source.emittance, experiment.environment_K};
+        rig.emission.terms = {{source.emittance, {}}};
+    } else {
+        UnevenSource uneven = unevenSource(experiment, source.uneven, source.emittance);
+        rig.sourceTerms = std::move(uneven.terms);
+        rig.emission = std::move(uneven.emission);
+    }
+    return rig;
+}
+
 namespace {
 
 CameraThermometerSetup cameraThermometerSetup(const Experiment& experiment, bool simulated) {
@@ -212,9 +275,9 @@ CameraThermometerSetup cameraThermometerSetup(const Experiment& experiment, bool
     setup.shields = experiment.shields;
     setup.source = experiment.source.shape;
     setup.geometry = rigGeometry(experiment);
-    setup.sourceEmittance = experiment.source.emittance;
+    setup.reflecting = reflectingRig(experiment);
     setup.environment_K = experiment.environment_K;
-    setup.isSourceEven = experiment.source.uneven.isEven() && !experiment.source.tracked;
+    setup.isSourceTracked = experiment.source.tracked;
     return setup;
 }
 

@@ -4,6 +4,7 @@
 #include "engine/control/controller.h"
 #include "engine/control/joint_feasibility.h"
 #include "engine/model/experiment_rig.h"
+#include "engine/rig/face_reflections.h"
 #include "engine/rig/object_thermometer.h"
 #include "engine/rig/real_rig.h"
 #include "engine/simulation/simulated_rig.h"
@@ -32,6 +33,9 @@ std::shared_ptr<const RigGeometry> trueRigGeometry(const Experiment& experiment)
 Air trueAir(const Experiment& experiment);
 /// Returns the true rates of one simulated object.
 HeatRates trueRates(const ObjectSpec& object, const Surroundings& surroundings);
+
+/// Returns what is believed of what the objects' faces reflect.
+ReflectingRig reflectingRig(const Experiment& experiment);
 
 /// Returns the start values of a controller: an object's given rates, else its material's with the
 /// experiment's random (seeded) error factors; with the air that the experiment assumes.

@@ -50,13 +50,16 @@ RigReadings::RigReadings(const Experiment& experiment, const RigDevices& devices
 }
 
 void RigReadings::read() {
-    readSensors();
     readSourcePose();
+    readSensors();
     readRobot();
     readSource();
 }
 
 void RigReadings::readSensors() {
+    if (m_devices.byCamera != nullptr && m_experiment.source.tracked)
+        m_devices.byCamera->camera().setSource(
+            wasSourceSeen() && isSourceSeen() ? std::optional(m_sourceReading.X_RS) : std::nullopt);
     const auto readings = m_devices.thermometer.read();
     if (readings)
         m_sensors.add(*readings);

@@ -33,7 +33,7 @@ struct RigDevices {
     /// heat off.
     bool isReal = false;
     /// The same as the thermometer, if the rig has a thermal camera; null if it has none.
-    const ObjectThermometer* byCamera = nullptr;
+    ObjectThermometer* byCamera = nullptr;
 };
 
 /// Which devices have ever answered since they were first given to a loop.

@@ -1,5 +1,7 @@
 #include "engine/simulation/simulated_rig.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <cmath>
 
@@ -43,8 +45,11 @@ SimulatedRig::SimulatedRig(const SimulatedRigConfig& config)
       m_robot(config.robot, m_clock), m_thermometer(config.thermometer, m_clock),
       m_source(config.sourceTemperature_K, config.environment_K, m_clock), m_tracker(config.tracker, m_clock),
       m_camera(config.camera), m_face(config), m_X_RS(poseFromCoordinates(config.sourcePose)) {
-    if (config.thermalCamera)
+    if (config.thermalCamera) {
         m_thermalCamera.emplace(*config.thermalCamera);
+        m_backs = m_objects.turnedOver(m_X_RS);
+        m_betweenFaces = faceViewFactors(m_objects);
+    }
     m_F.assign(m_objects.size(), 0.0);
     m_isHot.assign(m_objects.size(), false);
     m_thermometer.observe(trueTemperatures_K());
@@ -117,25 +122,84 @@ void SimulatedRig::moveSource(const Pose& X_RS) {
     if (isSame || m_config.screens.shields.empty())
         return;
     m_objects.setSourceAt(X_RS);
+    m_backs.setSourceAt(X_RS);
     m_computedAt.reset(); // end-effector and source may have moved as one, but not the shields
 }
 
 void SimulatedRig::showCameras() {
-    const double time_s = m_clock.now_s();
-    const Pose X_RE = poseFromCoordinates(m_robot.coordinates());
-    m_camera.observe({time_s, X_RE, m_X_RS});
-    if (!m_thermalCamera)
-        return;
+    m_camera.observe({m_clock.now_s(), poseFromCoordinates(m_robot.coordinates()), m_X_RS});
+    if (m_thermalCamera)
+        m_thermalCamera->observe(thermalMoment());
+}
+
+ThermalMoment SimulatedRig::thermalMoment() const {
     const double room_K = m_config.environment_K, source_K = m_heated ? m_source.temperature_K() : room_K;
-    ThermalMoment moment{time_s, X_RE, m_X_RS, {source_K}, {}};
-    for (std::size_t i = 0; i < m_objects.size(); ++i) {
+    ThermalMoment moment{m_clock.now_s(), poseFromCoordinates(m_robot.coordinates()), m_X_RS, {}, {}};
+    for (const auto& plate : m_thermalCamera->config().source)
+        moment.source_K.push_back(plate.temperature.at_K(source_K, room_K));
+    const std::size_t N = m_objects.size();
+    const std::vector<double> received = bandRadiances(source_K);
+    for (std::size_t i = 0; i < N; ++i) {
         const double emittance = m_config.objects[i].material.emittance;
-        moment.objects.push_back(
-            {std::clamp(m_plant.temperature_K(i), kMinBand_K, kMaxBand_K),
-             {emittance, {{std::clamp(m_F[i], 0.0, 1.0), source_K, m_config.sourceEmittance}}, room_K},
-             {emittance, {}, room_K}});
+        const auto face = [&](double radiance) {
+            return FaceSurroundings{emittance, {}, m_thermalCamera->band().temperature(radiance)};
+        };
+        moment.objects.push_back({std::clamp(m_plant.temperature_K(i), kMinBand_K, kMaxBand_K),
+                                  face(received[i]), face(received[N + i])});
     }
-    m_thermalCamera->observe(moment);
+    return moment;
+}
+
+/// What falls on the faces in the thermal camera's band, fronts and then backs, as the radiance that all
+/// around would have to have: of the source as its terms radiate, of the other faces by the net-radiation
+/// method, and of the room.
+std::vector<double> SimulatedRig::bandRadiances(double source_K) const {
+    const BandRadiance& band = m_thermalCamera->band();
+    const double room_K = m_config.environment_K, room = band.radiance(room_K);
+    const SourceEmission& emission = m_face.emission();
+    std::vector<double> brighter; // than the room, of each term
+    if (emission.isEven())
+        brighter = {m_config.sourceEmittance * (band.radiance(source_K) - room)};
+    for (const EmissionTerm& term : emission.terms) {
+        // At the edge of a ring the radiance falls by what two temperatures about that of the edge differ by.
+        const auto at_K = [&](double rises) {
+            PartTemperature part = term.temperature;
+            part.ratio += term.rise ? rises * term.rise->ratio : 0.0;
+            part.offset_K += term.rise ? rises * term.rise->offset_K : 0.0;
+            return part.at_K(source_K, room_K);
+        };
+        const double outside = term.rise ? band.radiance(at_K(0.5)) : room;
+        brighter.push_back(term.emittance * (band.radiance(at_K(-0.5)) - outside));
+    }
+    const std::size_t N = m_objects.size();
+    const auto count = static_cast<Eigen::Index>(2 * N);
+    const Pose X_SE = m_X_RS.inverse() * poseFromCoordinates(m_robot.coordinates());
+    const bool isComputed = m_computedAt && X_SE.matrix() == m_computedAt->matrix(); // by seeSource()
+    const RadiatingSource source = m_face.source().withFactors(brighter);
+    Eigen::VectorXd received(count), emitted(count), reflectance(count);
+    for (std::size_t f = 0; f < 2 * N; ++f) {
+        const std::size_t i = f % N;
+        const auto k = static_cast<Eigen::Index>(f);
+        const double emittance = m_config.objects[i].material.emittance;
+        const double T_K = std::clamp(m_plant.temperature_K(i), kMinBand_K, kMaxBand_K);
+        const bool isKnown = f < N && emission.isEven() && isComputed;
+        const MountedObjects& faces = f < N ? m_objects : m_backs;
+        received[k] = isKnown ? m_F[i] * brighter.front()
+                      : source_K > room_K
+                          ? faces.viewFactorValue(source, i, X_SE, m_config.viewFactorTolerance)
+                          : 0.0;
+        emitted[k] = emittance * (band.radiance(T_K) - room);
+        reflectance[k] = 1.0 - emittance;
+    }
+    if (m_betweenFaces.size() > 0) {
+        const Eigen::MatrixXd A = Eigen::MatrixXd::Identity(count, count) -
+                                  m_betweenFaces * reflectance.asDiagonal().toDenseMatrix();
+        received = A.partialPivLu().solve(received + m_betweenFaces * emitted).eval();
+    }
+    std::vector<double> out;
+    for (const double above : received)
+        out.push_back(room + above);
+    return out;
 }
 
 void SimulatedRig::seeSource() {

@@ -66,6 +66,7 @@ public:
     /// Sets its temperature, K. Returns whether its view factors change with that.
     bool setTemperature(double source_K);
     const RadiatingSource& source() const { return m_source; }
+    const SourceEmission& emission() const { return m_emission; }
 
 private:
     SourceEmission m_emission;
@@ -124,6 +125,8 @@ private:
     void moveSource(const Pose& X_RS);
     void seeSource();
     void showCameras();
+    std::vector<double> bandRadiances(double source_K) const;
+    ThermalMoment thermalMoment() const;
 
     SimulatedRigConfig m_config;
     ManualClock m_clock;
@@ -142,6 +145,8 @@ private:
     std::vector<bool> m_isHot;
     std::vector<double> m_F; ///< at m_computedAt, the end-effector in S
     std::optional<Pose> m_computedAt;
+    MountedObjects m_backs;         ///< of the objects; only with a thermal camera
+    Eigen::MatrixXd m_betweenFaces; ///< view factors; empty: none sees another
 };
 
 } // namespace bask

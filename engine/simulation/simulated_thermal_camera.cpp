@@ -24,11 +24,6 @@ SimulatedThermalCameraConfig usable(SimulatedThermalCameraConfig config) {
     return config;
 }
 
-double radianceOf(const FaceSurroundings& face, double T_K) {
-    const BandRadiance& band = thermalBand();
-    return band.radiance(apparentTemperature(band, face, T_K));
-}
-
 Error noPicture(const char* why) {
     return {MessageCode::CameraLost, "", {"simulated", why}};
 }
@@ -47,14 +42,15 @@ std::string bytesOfFrame(const ThermalPicture& picture, const ThermalProfile& pr
 }
 
 SimulatedThermalCamera::SimulatedThermalCamera(SimulatedThermalCameraConfig config)
-    : m_config(usable(std::move(config))), m_sensor(thermalBand(), m_config.errors, m_config.camera.width,
-                                                    m_config.camera.height, m_config.environment_K),
+    : m_config(usable(std::move(config))), m_band(bandOf(m_config.profile)),
+      m_sensor(*m_band, m_config.errors, m_config.camera.width, m_config.camera.height,
+               m_config.environment_K),
       m_painter(m_config.camera, room()) {
     const auto add = [&](const Shape& shape, int layer) {
         m_faces.push_back({ringsOf(shape), 0.0F, 0.0F, {}, 0.0F, layer});
     };
-    for (const auto& plate : m_config.source)
-        add(plate.shape, 0);
+    for (std::size_t p = 0; p < m_config.source.size(); ++p)
+        add(m_config.source[p].shape, static_cast<int>(p) - static_cast<int>(m_config.source.size()));
     for (const auto& object : m_config.objects)
         add(object.shape, 1);
     for (const auto& fixture : m_config.fixtures)
@@ -63,12 +59,16 @@ SimulatedThermalCamera::SimulatedThermalCamera(SimulatedThermalCameraConfig conf
         add(shield.shape, 1);
 }
 
+double SimulatedThermalCamera::radianceOf(const FaceSurroundings& face, double T_K) const {
+    return m_band->radiance(apparentTemperature(*m_band, face, T_K));
+}
+
 GreyCanvas SimulatedThermalCamera::room() const {
     const CameraModel& camera = m_config.camera;
     return {
         camera.width, camera.height,
         std::vector<float>(static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height),
-                           static_cast<float>(thermalBand().radiance(m_config.environment_K)))};
+                           static_cast<float>(m_band->radiance(m_config.environment_K)))};
 }
 
 void SimulatedThermalCamera::observe(const ThermalMoment& moment) {
@@ -120,7 +120,7 @@ std::vector<PixelBox> SimulatedThermalCamera::parts(const ThermalMoment& moment)
 const GreyCanvas& SimulatedThermalCamera::painted(const ThermalMoment& moment,
                                                   const std::optional<ShownBoard>& shown) {
     const Pose X_CR = m_config.X_RC.inverse();
-    const double room = thermalBand().radiance(m_config.environment_K);
+    const double room = m_band->radiance(m_config.environment_K);
     std::vector<PlacedFace> placed;
     const auto place = [&](const Pose& X_RP, double front, double behind) {
         SceneFace& face = m_faces[placed.size()];
@@ -131,7 +131,7 @@ const GreyCanvas& SimulatedThermalCamera::painted(const ThermalMoment& moment,
     for (std::size_t p = 0; p < m_config.source.size(); ++p) {
         const auto& plate = m_config.source[p];
         const double front =
-            plate.emittance * thermalBand().radiance(moment.source_K[p]) + (1.0 - plate.emittance) * room;
+            plate.emittance * m_band->radiance(moment.source_K[p]) + (1.0 - plate.emittance) * room;
         place(moment.X_RS * plate.X_SP, front, room);
     }
     for (std::size_t i = 0; i < m_config.objects.size(); ++i) {
@@ -148,7 +148,7 @@ const GreyCanvas& SimulatedThermalCamera::painted(const ThermalMoment& moment,
     std::vector<PlacedFace> onTop;
     if (shown) {
         constexpr double kSheet = 0.95, kFoil = 0.3; // emittance
-        const double warm = thermalBand().radiance(m_config.environment_K + 10.0);
+        const double warm = m_band->radiance(m_config.environment_K + 10.0);
         sheet = boardFace(shown->board);
         sheet.front = sheet.behind = static_cast<float>(kSheet * warm + (1.0 - kSheet) * room);
         sheet.markGrey = static_cast<float>(kFoil * warm + (1.0 - kFoil) * room);
@@ -183,7 +183,8 @@ Result<std::shared_ptr<const ThermalCameraFrame>> SimulatedThermalCamera::newest
     auto decoded = frameOfBytes(bytesOfFrame(picture, m_config.profile), m_config.profile, "simulated");
     if (!decoded)
         return decoded.error();
-    m_frame = std::make_shared<ThermalCameraFrame>(ThermalCameraFrame{time_s, number, std::move(*decoded)});
+    m_frame = std::make_shared<ThermalCameraFrame>(
+        ThermalCameraFrame{time_s, number, std::move(*decoded), m_sensor.opened_s(time_s)});
     return m_frame;
 }
 

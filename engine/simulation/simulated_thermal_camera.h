@@ -8,10 +8,12 @@
 #include "engine/shape/shape.h"
 #include "engine/simulation/scene_painter.h"
 #include "engine/simulation/thermal_sensor.h"
+#include "engine/thermal/source_emission.h"
 #include "engine/thermography/face_temperature.h"
 #include "engine/thermography/usual_thermal_camera.h"
 
 #include <deque>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -32,8 +34,9 @@ struct SimulatedThermalCameraConfig {
         Shape shape;
         Pose X_SP = Pose::Identity();
         double emittance = 1.0;
+        PartTemperature temperature{}; ///< by the source's own, for SimulatedRig
     };
-    std::vector<HotPlate> source;
+    std::vector<HotPlate> source; ///< in one plane a later one covers an earlier one
     struct Object {
         Shape shape;
         Pose X_EO = Pose::Identity();
@@ -78,6 +81,8 @@ public:
     /// before the first moment and while it is unplugged.
     Result<std::shared_ptr<const ThermalCameraFrame>> newest() override;
     const ThermalProfile& profile() const override { return m_config.profile; }
+    const SimulatedThermalCameraConfig& config() const { return m_config; }
+    const BandRadiance& band() const { return *m_band; }
 
     /// Shows the rig. Throws std::invalid_argument for another number of objects or hot plates.
     void observe(const ThermalMoment& moment);
@@ -96,7 +101,10 @@ private:
     std::vector<PixelBox> parts(const ThermalMoment& moment) const;
     const GreyCanvas& painted(const ThermalMoment& moment, const std::optional<ShownBoard>& shown);
 
+    double radianceOf(const FaceSurroundings& face, double T_K) const;
+
     const SimulatedThermalCameraConfig m_config;
+    std::shared_ptr<const BandRadiance> m_band;
     ThermalSensor m_sensor;
     ScenePainter m_painter;
 

@@ -50,6 +50,14 @@ bool ThermalSensor::isShut(double time_s) const {
     return m_errors.shutterPeriod_s > 0.0 && std::fmod(time_s, m_errors.shutterPeriod_s) < m_errors.shutter_s;
 }
 
+std::optional<double> ThermalSensor::opened_s(double time_s) const {
+    if (!(m_errors.shutterPeriod_s > 0.0) || time_s < m_errors.shutter_s)
+        return std::nullopt;
+    const double opened_s =
+        std::floor(time_s / m_errors.shutterPeriod_s) * m_errors.shutterPeriod_s + m_errors.shutter_s;
+    return opened_s <= time_s ? opened_s : opened_s - m_errors.shutterPeriod_s;
+}
+
 double ThermalSensor::offset_K(double time_s) const {
     const double events =
         m_errors.shutterPeriod_s > 0.0 ? std::floor(time_s / m_errors.shutterPeriod_s) : 0.0;

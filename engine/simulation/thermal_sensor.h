@@ -7,6 +7,7 @@
 #include "engine/thermography/thermal_picture.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -45,6 +46,8 @@ public:
                           std::span<const PixelBox> parts) const;
     /// Returns whether the shutter is closed: a camera then gives no new picture.
     bool isShut(double time_s) const;
+    /// Returns when the shutter opened last; empty before its first event.
+    std::optional<double> opened_s(double time_s) const;
 
 private:
     double offset_K(double time_s) const;

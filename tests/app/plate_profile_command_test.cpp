@@ -4,6 +4,7 @@
 #include "engine/base/units.h"
 #include "engine/calibration/camera_file.h"
 #include "engine/experiment/experiment_file.h"
+#include "engine/rig/rig_setup.h"
 #include "engine/simulation/simulated_camera.h"
 #include "engine/simulation/simulated_thermal_camera.h"
 #include "engine/thermography/usual_thermal_camera.h"
@@ -118,6 +119,62 @@ TEST_F(PlateProfileCommand, MeasuresAProfileThatTheExperimentReads) {
         first_K = k == 0 ? off_K : first_K;
         EXPECT_LT(std::abs(off_K - first_K), 1.0) << k << ": gain and offset are the same for all rings";
     }
+}
+
+// Catches a simulated rig whose picture is that of an even plate: from its own uneven source, over its
+// picture, to a profile that is as uneven.
+TEST_F(PlateProfileCommand, MeasuresTheUnevenSourceOfTheSimulatedRig) {
+    const std::vector<ProfilePoint> truth{
+        {0.0, 1.0, 0.0}, {0.04, 1.02, 0.0}, {0.07, 0.95, 0.0}, {0.1, 0.8, 0.0}};
+    Experiment rigged = experiment;
+    rigged.simulation.sourceUneven.emplace().profile = truth;
+    rigged.start = Vector6d{{0.2, 0.2, 0.3, 0.0, 0.0, 0.0}}; // out of the view
+    const Pose X_RC = lookingAt({-0.1, -0.05, 0.5}, {0.0, 0.0, 0.0});
+    rigged.simulation.thermalCamera->pose = coordinatesFromPose(X_RC);
+    SimulatedRig rig(simulatedRigConfig(rigged));
+    for (int frame = 0; frame < 3; ++frame) {
+        for (int k = 0; k < 120; ++k) {
+            ASSERT_TRUE(rig.heatSource().keepHeating(kMiddle_K, 10.0));
+            rig.advance(0.5);
+        }
+        write("frame" + std::to_string(frame) + ".raw",
+              bytesOfFrame(rig.thermalCamera()->newest().value()->frame.picture,
+                           rig.thermalCamera()->profile()));
+    }
+    const double own_K = rig.heatSource().read()->value_K;
+    Json pose;
+    const Vector6d q = coordinatesFromPose(X_RC);
+    for (int k = 0; k < 3; ++k) {
+        pose["camera_pose"][std::string(1, "xyz"[k]) + "_cm"] = 100.0 * q[k];
+        pose["camera_pose"][std::string("theta_") + "xyz"[k] + "_deg"] = degFromRad(q[3 + k]);
+    }
+    write("pose.json", pose.dump());
+    const Captured done =
+        run({"--json", "-o", path("plate.csv"), "--temperature", QString::number(celsiusFromKelvin(own_K))});
+    ASSERT_EQ(done.code, kExitDone) << done.err;
+    const Json told = Json::parse(done.out);
+    ASSERT_GE(told["rings"].size(), 15U);
+    double low = 2.0, high = 0.0;
+    for (const Json& ring : told["rings"]) {
+        const double r_m = 1e-3 * ring["radius_mm"].get<double>();
+        std::size_t k = 0;
+        while (k + 2 < truth.size() && truth[k + 1].radius_m < r_m)
+            ++k;
+        const double ratio =
+            std::lerp(truth[k].temperatureRatio, truth[k + 1].temperatureRatio,
+                      (r_m - truth[k].radius_m) / (truth[k + 1].radius_m - truth[k].radius_m));
+        const double told_K = ring["temperature_degC"].get<double>();
+        EXPECT_NEAR(told_K, celsiusFromKelvin(kAround_K + ratio * (own_K - kAround_K)),
+                    3.0 * ring["standard_uncertainty_K"].get<double>())
+            << r_m;
+        low = std::min(low, ring["temperature_ratio"].get<double>());
+        high = std::max(high, ring["temperature_ratio"].get<double>());
+    }
+    EXPECT_GT(high - low, 0.15);
+    Json changed = Json::parse(experimentToJson(experiment));
+    changed["source"]["profile_file"] = "plate.csv";
+    write("measured.json", changed.dump());
+    EXPECT_TRUE(readExperiment(path("measured.json").toStdString()));
 }
 
 TEST_F(PlateProfileCommand, TellsTheRingsInWords) {

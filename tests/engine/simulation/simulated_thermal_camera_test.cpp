@@ -141,6 +141,7 @@ TEST(SimulatedThermalCamera, GivesNoNewFrameWhileItsShutterIsClosed) {
         const double time_s = (*frame)->time_s;
         none += (*frame)->number == number && k > 1 ? 1 : 0;
         EXPECT_TRUE(time_s < 180.0 || time_s >= 180.5) << time_s;
+        EXPECT_EQ((*frame)->shutter_s, time_s < 180.0 ? 0.5 : 180.5);
         number = (*frame)->number;
     }
     EXPECT_GE(none, 4); // half a second

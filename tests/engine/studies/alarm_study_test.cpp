@@ -210,4 +210,31 @@ TEST(AlarmStudyLong, faultyWithACamera) {
                      10 * static_cast<int>(alarmFaults(readBy).size()), 1, 1, readBy});
 }
 
+// Catches a second opinion that waits where the camera tells the two objects apart: docs/safety.md has the
+// distribution.
+TEST(AlarmStudyLong, swappedWithACamera) {
+    constexpr int kRuns = 200;
+    constexpr double kApart_K = 6.0;
+    const auto faults = alarmFaults(ReadBy::Both);
+    const auto count = static_cast<int>(faults.size());
+    const auto swapped =
+        static_cast<int>(std::ranges::find(faults, SimulatedFault::SensorsSwapped) - faults.begin());
+    const auto drawn = rigs({"three-objects.json", "three-objects-in-line.json"});
+    int apart = 0, soon = 0;
+    for (int k = 0; k < kRuns; ++k) {
+        const auto rows =
+            runAlarmStudy({drawn, AlarmDraw::Faulty, 1, 1, swapped + k * count, ReadBy::Both}, 1, {});
+        ASSERT_TRUE(rows) << describe(rows.error());
+        const AlarmStudyRow& row = rows->front();
+        ASSERT_EQ(row.drawn.fault, SimulatedFault::SensorsSwapped);
+        if (row.unseen_K < kApart_K)
+            continue;
+        ++apart;
+        soon += row.told_s.value_or(1e9) <= 10.0 ? 1 : 0;
+        EXPECT_LE(row.told_s.value_or(1e9), 180.0) << "run " << swapped + k * count;
+    }
+    EXPECT_GT(apart, kRuns / 4);
+    EXPECT_GE(soon, 0.95 * apart);
+}
+
 } // namespace bask

@@ -126,6 +126,132 @@ TEST(CameraThermometer, TakesTheReflectionOffAFaceThatIsSeenFromBelow) {
     }
 }
 
+/// Three disks that see one another and take one another's light, over a source that is colder towards its
+/// rim, seen from beside and below.
+Experiment unevenExperiment() {
+    Experiment experiment = cameraExperiment();
+    experiment.source.uneven.profile = {{0.0, 1.0, 0.0}, {0.05, 0.9, 0.0}, {0.1, 0.6, 0.0}};
+    const std::vector<std::pair<double, Vector6d>> disks{
+        {0.02, Vector6d{{0.0, 0.0, 0.02, 0.0, 0.0, 0.0}}},
+        {0.02, Vector6d{{0.04, 0.0, 0.0, 0.0, radFromDeg(-20.0), 0.0}}},
+        {0.02, Vector6d{{-0.04, 0.0, 0.0, 0.0, radFromDeg(20.0), 0.0}}}};
+    for (std::size_t i = 0; i < disks.size(); ++i) {
+        ObjectSpec& object = experiment.objects[i];
+        object.shape = Disk{disks[i].first};
+        object.mounting = disks[i].second;
+        object.material.emittance = object.material.absorptance = 0.6;
+    }
+    experiment.start = Vector6d{{0.0, 0.0, 0.07, 0.0, 0.0, 0.0}};
+    experiment.simulation.thermalCamera->pose =
+        coordinatesFromPose(lookingAt({0.0, -0.25, 0.015}, {0.0, 0.0, 0.08}));
+    return experiment;
+}
+
+// Catches an uneven source that is refused, or taken as even (that is wrong by kelvins), and what neighbours
+// radiate and reflect left out.
+TEST(CameraThermometer, ReadsFacesOverAnUnevenSourceBesideNeighbours) {
+    int within = 0, count = 0;
+    double evenWorst = 0.0;
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+        Experiment experiment = unevenExperiment();
+        experiment.simulation.seed = seed;
+        Experiment even = experiment;
+        even.source.uneven = {};
+        SimulatedRigConfig config = simulatedRigConfig(experiment);
+        config.viewFactorTolerance = 1e-5;
+        Bench bench(experiment, config);
+        const auto naive = cameraThermometer(even, bench.rig);
+        for (const Reading& reading : bench.read())
+            ASSERT_TRUE(reading.valid) << describe(reading.reason);
+        (void)naive->read();
+        bench.heat(60.0);
+        (void)bench.read();
+        bench.heat(1.0);
+        const std::vector<Reading> readings = bench.read(), wrong = naive->read().value();
+        const std::vector<double> true_K = bench.rig.trueTemperatures_K();
+        for (std::size_t i = 0; i < readings.size(); ++i) {
+            ASSERT_TRUE(readings[i].valid && wrong[i].valid) << describe(readings[i].reason);
+            const double stated_K = readings[i].standardUncertainty_K;
+            EXPECT_LT(stated_K, 2.5);
+            EXPECT_LT(std::abs(readings[i].value_K - true_K[i]), 3.5 * stated_K + 0.1) << i;
+            within += std::abs(readings[i].value_K - true_K[i]) < 2.0 * stated_K ? 1 : 0;
+            ++count;
+            evenWorst = std::max(evenWorst, std::abs(wrong[i].value_K - true_K[i]) / stated_K);
+        }
+    }
+    EXPECT_GE(within, 0.85 * count);
+    EXPECT_GT(evenWorst, 3.0);
+}
+
+// Catches the reflection of a source that is not where the experiment says, computed as if it were.
+TEST(CameraThermometer, GoesByWhereATrackedSourceIs) {
+    Experiment experiment = unevenExperiment();
+    experiment.source.uneven = {};
+    experiment.source.tracked = true;
+    SimulatedRigConfig config = simulatedRigConfig(experiment);
+    config.sourcePose[0] += 0.06;
+    Bench bench(experiment, config);
+    for (const Reading& reading : bench.read())
+        EXPECT_EQ(reading.reason.code, MessageCode::ThermalSourceUneven) << "nobody has seen it";
+    bench.thermometer->setSource(poseFromCoordinates(config.sourcePose));
+    bench.rig.advance(1.0);
+    for (const Reading& reading : bench.read())
+        ASSERT_TRUE(reading.valid) << describe(reading.reason);
+    bench.heat(90.0);
+    const std::vector<Reading> readings = bench.read();
+    for (std::size_t i = 0; i < readings.size(); ++i) {
+        ASSERT_TRUE(readings[i].valid) << describe(readings[i].reason);
+        EXPECT_NEAR(readings[i].value_K, bench.rig.trueTemperatures_K()[i],
+                    3.5 * readings[i].standardUncertainty_K);
+    }
+    bench.thermometer->setSource({});
+    bench.heat(2.0);
+    for (const Reading& reading : bench.read())
+        EXPECT_FALSE(reading.valid);
+}
+
+// Catches a camera of another band or accuracy read as any other.
+TEST(CameraThermometer, GoesByTheCamerasOwnBandAndUncertainty) {
+    const Experiment experiment = unevenExperiment();
+    SimulatedRigConfig config = simulatedRigConfig(experiment);
+    config.viewFactorTolerance = 1e-5;
+    const auto stated_K = [&] {
+        Bench bench(experiment, config);
+        (void)bench.read();
+        bench.heat(60.0);
+        const std::vector<Reading> readings = bench.read();
+        for (std::size_t i = 0; i < readings.size(); ++i) {
+            EXPECT_TRUE(readings[i].valid) << describe(readings[i].reason);
+            EXPECT_NEAR(readings[i].value_K, bench.rig.trueTemperatures_K()[i],
+                        3.5 * readings[i].standardUncertainty_K);
+        }
+        return readings[0].standardUncertainty_K;
+    };
+    const double usual_K = stated_K();
+    config.thermalCamera->profile.uncertainty.gain = 0.05;
+    EXPECT_GT(stated_K(), 1.3 * usual_K);
+    config.thermalCamera->profile.uncertainty = {};
+    config.thermalCamera->profile.response = {{6e-6, 0.3}, {8e-6, 1.0}, {10e-6, 0.2}};
+    (void)stated_K();
+}
+
+// Catches a drift that is counted from half a period, however long ago the shutter closed.
+TEST(CameraThermometer, CountsTheDriftFromTheLastShutterEvent) {
+    const Experiment experiment = cameraExperiment();
+    SimulatedRigConfig config = simulatedRigConfig(experiment);
+    config.thermalCamera->profile.uncertainty.drift_K_min = 1.0;
+    const auto stated_K = [&](double until_s) {
+        Bench bench(experiment, config);
+        (void)bench.read();
+        bench.heat(until_s);
+        return bench.read().front().standardUncertainty_K;
+    };
+    EXPECT_NEAR(stated_K(181.5), 0.0, 1.0);
+    EXPECT_GT(stated_K(178.0), 2.5); // three minutes
+    config.thermalCamera->errors.shutterPeriod_s = 0.0;
+    EXPECT_GT(stated_K(60.0), 2.9) << "nobody knows when";
+}
+
 // Catches an emittance's own uncertainty that the reading's does not have.
 TEST(CameraThermometer, StatesWhatTheMaterialsEmittanceIsKnownTo) {
     Experiment experiment = cameraExperiment();
