@@ -232,6 +232,16 @@
     </message>
 </context>
 <context>
+    <name>bask::ThermalPictureView</name>
+    <message numerus="yes">
+        <source>%n picture(s) left out</source>
+        <translation>
+            <numerusform>%n picture left out</numerusform>
+            <numerusform>%n pictures left out</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>bask::TracePlot</name>
     <message numerus="yes">
         <source>%n more without a number</source>

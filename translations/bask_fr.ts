@@ -195,6 +195,10 @@
         <source>it has a format number that no version has</source>
         <translation>il a un numéro de format qu’aucune version n’a</translation>
     </message>
+    <message>
+        <source>the header of its database was written over</source>
+        <translation>l’en-tête de sa base de données a été écrasé</translation>
+    </message>
 </context>
 <context>
     <name>Device</name>
@@ -560,10 +564,6 @@
         <translation>une image de « %1 » a %2 octets, celle-ci en a %3 ; choisissez le profil de la caméra dont elle vient, ou enregistrez-la de nouveau</translation>
     </message>
     <message>
-        <source>the file holds %1 frames of &quot;%2&quot; one after another; save one frame (%3 bytes) a file</source>
-        <translation>le fichier contient %1 images de « %2 » à la suite ; enregistrez une image (%3 octets) par fichier</translation>
-    </message>
-    <message>
         <source>the number %1 at column %2, row %3 does not fit into %4 bits; the byte order, or the profile, is another camera&apos;s</source>
         <translation>le nombre %1 à la colonne %2, ligne %3, ne tient pas dans %4 bits ; l’ordre des octets, ou le profil, est celui d’une autre caméra</translation>
     </message>
@@ -586,10 +586,6 @@
     <message>
         <source>one channel of 16 bits is needed, and this picture has %1; save the camera&apos;s numbers, not the colours that it shows</source>
         <translation>il faut un seul canal de 16 bits, et cette image a %1 ; enregistrez les nombres de la caméra, pas les couleurs qu’elle montre</translation>
-    </message>
-    <message>
-        <source>the file holds several pictures; save one picture a file</source>
-        <translation>le fichier contient plusieurs images ; enregistrez une image par fichier</translation>
     </message>
     <message>
         <source>a picture of &quot;%1&quot; has %2 pixels, this one has %3; choose the profile of the camera that it came from</source>
@@ -1556,10 +1552,6 @@
         <translation>La source de chaleur n’a donné aucune température depuis %1 s. Le chauffage est coupé. Vérifiez son capteur et sa liaison, puis réinitialisez.</translation>
     </message>
     <message>
-        <source>The robot has not reported or obeyed anything for %1 s. The heat is off. Check its controller, then reset.</source>
-        <translation>Le robot n’a rien signalé ni exécuté depuis %1 s. Le chauffage est coupé. Vérifiez son contrôleur, puis réinitialisez.</translation>
-    </message>
-    <message>
         <source>The source is heated manually and is at %1: Bask cannot switch it off. Switch it off yourself, and keep the objects away from it.</source>
         <translation>La source est chauffée manuellement et est à %1&#xa0;: Bask ne peut pas l’éteindre. Éteignez-la vous-même et gardez les objets loin d’elle.</translation>
     </message>
@@ -1888,10 +1880,6 @@
         <translation>sa face réfléchit la source, dont la température n’est pas connue</translation>
     </message>
     <message>
-        <source>its face reflects the source, which is uneven or moved; that cannot be taken off yet, so aim the camera at the backs of the objects</source>
-        <translation>sa face réfléchit la source, qui est inégale ou déplacée&#xa0;; cela ne peut pas encore être retranché, visez donc le dos des objets</translation>
-    </message>
-    <message>
         <source>it is above %1, where the camera&apos;s numbers are known to be wrong</source>
         <translation>il est au-dessus de %1, où les nombres de la caméra sont connus pour être faux</translation>
     </message>
@@ -2078,6 +2066,102 @@
     <message>
         <source>&quot;%1&quot; is at %2, %3 from its target, and has gone farther from it for %4 s. Its sensor may be on another object, its outline or its mounting may be wrong, or something heats or cools it. The run goes on: check these.</source>
         <translation>« %1 » est à %2, à %3 de sa consigne, et s’en éloigne depuis %4 s. Son capteur est peut-être sur un autre objet, son contour ou sa fixation sont peut-être faux, ou quelque chose le chauffe ou le refroidit. L’essai continue : vérifiez-les.</translation>
+    </message>
+    <message>
+        <source>line %1: &lt;use&gt; draws &quot;%2&quot;, which is not in the drawing (no other file is opened); put it there, or take the &lt;use&gt; out</source>
+        <translation>ligne&#xa0;%1&#xa0;: &lt;use&gt; dessine «&#xa0;%2&#xa0;», qui n’est pas dans le dessin (aucun autre fichier n’est ouvert)&#xa0;; mettez-le dans le dessin, ou retirez le &lt;use&gt;</translation>
+    </message>
+    <message>
+        <source>line %1: the points of &lt;%2&gt; are damaged from &quot;%3&quot; on</source>
+        <translation>ligne&#xa0;%1&#xa0;: les points de &lt;%2&gt; sont endommagés à partir de «&#xa0;%3&#xa0;»</translation>
+    </message>
+    <message>
+        <source>line %1: the %2 of &lt;%3&gt;, &quot;%4&quot;, is no length; write a number, with px, mm, cm, in, pt, pc or % if it has a unit</source>
+        <translation>ligne&#xa0;%1&#xa0;: l’attribut %2 de &lt;%3&gt;, «&#xa0;%4&#xa0;», n’est pas une longueur&#xa0;; écrivez un nombre, suivi de px, mm, cm, in, pt, pc ou % s’il a une unité</translation>
+    </message>
+    <message>
+        <source>line %1: the transform of &lt;%2&gt; is damaged from &quot;%3&quot; on</source>
+        <translation>ligne&#xa0;%1&#xa0;: la transformation de &lt;%2&gt; est endommagée à partir de «&#xa0;%3&#xa0;»</translation>
+    </message>
+    <message>
+        <source>a chessboard or the like: there are too many quadrangles to find a marker among them; cut the markers out</source>
+        <translation>un damier ou semblable&#xa0;: il y a trop de quadrilatères pour y trouver un marqueur&#xa0;; découpez les marqueurs</translation>
+    </message>
+    <message>
+        <source>the file holds %1 frames of &quot;%2&quot; one after another; choose one by its number (thermal-frame --frame), or save one frame (%3 bytes) a file</source>
+        <translation>le fichier contient %1 images de « %2 » à la suite ; choisissez-en une par son numéro (thermal-frame --frame), ou enregistrez une image (%3 octets) par fichier</translation>
+    </message>
+    <message>
+        <source>the file holds %1 pictures; choose one by its number (thermal-frame --frame), or save one picture a file</source>
+        <translation>le fichier contient %1 images ; choisissez-en une par son numéro (thermal-frame --frame), ou enregistrez une image par fichier</translation>
+    </message>
+    <message>
+        <source>its face reflects the source, whose place is not known; let the source be seen, or aim the camera at the backs of the objects</source>
+        <translation>sa face réfléchit la source, dont la position n’est pas connue&#xa0;; rendez la source visible, ou visez le dos des objets</translation>
+    </message>
+    <message>
+        <source>where &quot;%1&quot; has temperatures, this frame holds a plain picture; its halves are exchanged, or the camera sends no temperatures. Record it again as the camera sends it</source>
+        <translation>là où « %1 » a des températures, cette image contient une vue ordinaire ; ses moitiés sont échangées, ou la caméra n’envoie pas de températures. Enregistrez-la de nouveau telle que la caméra l’envoie</translation>
+    </message>
+    <message>
+        <source>all pixels are between %1 and %2, as the bytes of a plain grey picture would be; make sure that the camera looks at something that hot</source>
+        <translation>tous les pixels sont entre %1 et %2, comme le seraient les octets d’une vue ordinaire en gris ; assurez-vous que la caméra regarde quelque chose d’aussi chaud</translation>
+    </message>
+    <message>
+        <source>line %1 counts up by one, as a line of column numbers does, and nothing tells whether it is temperatures; name the camera&apos;s profile, whose size tells, or delete the line</source>
+        <translation>la ligne %1 compte de un en un, comme une ligne de numéros de colonnes, et rien ne dit si ce sont des températures ; nommez le profil de la caméra, dont la taille le dit, ou supprimez la ligne</translation>
+    </message>
+    <message>
+        <source>the first column counts up by one, as line numbers do, and nothing tells whether it is temperatures; name the camera&apos;s profile, whose size tells, or delete the column</source>
+        <translation>la première colonne compte de un en un, comme des numéros de lignes, et rien ne dit si ce sont des températures ; nommez le profil de la caméra, dont la taille le dit, ou supprimez la colonne</translation>
+    </message>
+    <message>
+        <source>there is no frame %1: the file holds %2, counted from 1</source>
+        <translation>il n’y a pas d’image %1 : le fichier en contient %2, comptées à partir de 1</translation>
+    </message>
+    <message>
+        <source>the bytes are those of %1 frames of &quot;%2&quot; or, with its optional rows, of %3, and nothing tells which; save one frame a file</source>
+        <translation>les octets sont ceux de %1 images de « %2 » ou, avec ses lignes facultatives, de %3, et rien ne dit lequel ; enregistrez une image par fichier</translation>
+    </message>
+    <message>
+        <source>it is a BigTIFF, which is not read; save it as an ordinary TIFF, or as PNG</source>
+        <translation>c’est un BigTIFF, qui n’est pas lu ; enregistrez-le comme TIFF ordinaire, ou en PNG</translation>
+    </message>
+    <message>
+        <source>case %1 is also in %2, with other bytes: one of the two parts was changed; leave it out, or delete it and run its shard again</source>
+        <translation>le cas&#xa0;%1 est aussi dans %2, avec d’autres octets&#xa0;: l’une des deux parties a été modifiée&#xa0;; laissez-la de côté, ou supprimez-la et relancez sa part</translation>
+    </message>
+    <message>
+        <source>warning limit of &quot;%1&quot;</source>
+        <translation>limite d’avertissement de «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>trip limit of &quot;%1&quot;</source>
+        <translation>limite de déclenchement de «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>lowest %1</source>
+        <translation>minimum de %1</translation>
+    </message>
+    <message>
+        <source>highest %1</source>
+        <translation>maximum de %1</translation>
+    </message>
+    <message>
+        <source>axis %1</source>
+        <translation>axe %1</translation>
+    </message>
+    <message>
+        <source>%1/s</source>
+        <translation>%1/s</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s link is there, but the robot has reported or obeyed nothing for %1 s: its controller is busy, blocked or held. The heat is off. Look at the robot and its controller, then reset.</source>
+        <translation>La liaison du robot est là, mais le robot n’a rien signalé ni exécuté depuis %1 s : son contrôleur est occupé, bloqué ou retenu. Le chauffage est coupé. Regardez le robot et son contrôleur, puis réinitialisez.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is at %2 and warms by %3/s with the heat off; the source explains at most %4/s. Something else heats it, or its sensor has just been put on it. Look at it before it reaches its limits.</source>
+        <translation>« %1 » est à %2 et chauffe de %3/s alors que le chauffage est coupé ; la source explique au plus %4/s. Autre chose le chauffe, ou son capteur vient d’être posé sur lui. Regardez-le avant qu’il n’atteigne ses limites.</translation>
     </message>
 </context>
 <context>
@@ -2420,6 +2504,38 @@
     <message>
         <source>it is written to again and again</source>
         <translation>on y écrit sans cesse</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>theta x</source>
+        <translation>θx</translation>
+    </message>
+    <message>
+        <source>theta y</source>
+        <translation>θy</translation>
+    </message>
+    <message>
+        <source>theta z</source>
+        <translation>θz</translation>
+    </message>
+    <message>
+        <source>fixed</source>
+        <translation>fixe</translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation>libre</translation>
     </message>
 </context>
 <context>
@@ -4480,6 +4596,10 @@
         <source>Look at what would be started, and allow it on this computer</source>
         <translation>Voir ce qui serait lancé, et l’autoriser sur cet ordinateur</translation>
     </message>
+    <message>
+        <source>The last of them: %1</source>
+        <translation>La dernière : %1</translation>
+    </message>
 </context>
 <context>
     <name>bask::DeviceConsole</name>
@@ -6473,24 +6593,12 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>La dernière consigne fixée. Les autres valeurs comptent depuis ce moment, ou depuis le démarrage si elle n’a pas changé, jusqu’à l’arrêt.</translation>
     </message>
     <message>
-        <source>Time between the first crossings of 10 % and of 90 % of the step, which leads from the temperature when the target was set to the target. Not given for steps under twice the band.</source>
-        <translation>Temps entre les premiers passages à 10 % et à 90 % de l’échelon, qui va de la température au moment où la consigne est fixée jusqu’à la consigne. Non donné pour un échelon inférieur à deux fois la bande.</translation>
-    </message>
-    <message>
         <source>How far the temperature went beyond the target in the direction of the step, and as a share of the step. Not given for steps under twice the band.</source>
         <translation>De combien la température a dépassé la consigne dans le sens de l’échelon, et en part de l’échelon. Non donné pour un échelon inférieur à deux fois la bande.</translation>
     </message>
     <message>
-        <source>Length of the path of the object&apos;s centre in the robot&apos;s base, from Start until Stop.</source>
-        <translation>Longueur du trajet du centre de l’objet dans la base du robot, du démarrage à l’arrêt.</translation>
-    </message>
-    <message>
         <source>From Start until Stop.</source>
         <translation>Du démarrage à l’arrêt.</translation>
-    </message>
-    <message>
-        <source>Length of the path of the end-effector&apos;s origin in the robot&apos;s base, from Start until Stop.</source>
-        <translation>Longueur du trajet de l’origine de l’effecteur dans la base du robot, du démarrage à l’arrêt.</translation>
     </message>
     <message>
         <source>Sum of the angles by which the end-effector was turned from sample to sample.</source>
@@ -6537,6 +6645,18 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Time until the temperature stays within %1 of the target until Stop. The event &quot;All objects settled&quot; is another and comes later: when all objects have been so near for %2 s by the controller&apos;s estimates, and the robot needs no other place. ± is its standard uncertainty: how far readings that are wrong by theirs move that moment, and the period. Not sure: with such an error it would be outside at the end.</source>
         <translation>Temps au bout duquel la température reste à %1 de la consigne jusqu’à l’arrêt. L’événement « Tous les objets sont stabilisés » est autre chose et vient plus tard : quand tous les objets sont aussi proches depuis %2 s d’après les estimations du régulateur, et que le robot n’a pas à aller ailleurs. ± est son incertitude type : de combien des mesures fausses de la leur déplacent ce moment, et la période. Pas sûr : avec une telle erreur, la température serait hors de la bande à la fin.</translation>
+    </message>
+    <message>
+        <source>Time between the first crossings of 10 % and of 90 % of the step, which leads from the temperature when the target was set to the target. Not given for steps under twice the band. ± is its standard uncertainty: how far wrong readings at the beginning and at both crossings move these.</source>
+        <translation>Temps entre les premiers passages à 10 % et à 90 % de l’échelon, qui va de la température au moment où la consigne est fixée jusqu’à la consigne. Non donné pour un échelon inférieur à deux fois la bande. ± en est l’incertitude type : de combien des mesures fausses au début et aux deux passages les déplacent.</translation>
+    </message>
+    <message>
+        <source>Length of the path of the object&apos;s centre in the robot&apos;s base, from Start until Stop, by the robot&apos;s reported places, whose uncertainty no device tells.</source>
+        <translation>Longueur du trajet du centre de l’objet dans la base du robot, du démarrage à l’arrêt, d’après les positions signalées par le robot, dont aucun appareil ne dit l’incertitude.</translation>
+    </message>
+    <message>
+        <source>Length of the path of the end-effector&apos;s origin in the robot&apos;s base, from Start until Stop, by the robot&apos;s reported places, whose uncertainty no device tells.</source>
+        <translation>Longueur du trajet de l’origine de l’effecteur dans la base du robot, du démarrage à l’arrêt, d’après les positions signalées par le robot, dont aucun appareil ne dit l’incertitude.</translation>
     </message>
 </context>
 <context>
@@ -7059,8 +7179,12 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>la même depuis %1</translation>
     </message>
     <message>
-        <source>Age of the newest reading that was believed, how long a sensor has told the same value, or what the thermal camera sees of the object, with twice its standard uncertainty</source>
-        <translation>Âge de la dernière mesure crue, temps depuis lequel un capteur dit la même valeur, ou ce que la caméra thermique voit de l’objet, avec deux fois l’incertitude type</translation>
+        <source>Camera %1 (part)</source>
+        <translation>Caméra %1 (partie)</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of the reading, or what the thermal camera sees of the object, with twice its own; of a reading that is not believed its age, or how long the sensor has told the same value. (part): some of the object is outside of the picture</source>
+        <translation>Incertitude type de la mesure, ou ce que la caméra thermique voit de l’objet, avec le double de la sienne&#xa0;; d’une mesure qui n’est pas crue, son âge, ou depuis quand le capteur donne la même valeur. (partie)&#xa0;: l’objet est en partie hors de l’image</translation>
     </message>
 </context>
 <context>
@@ -7311,10 +7435,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>La source n’est plus suivie : il y faut des marqueurs sur elle, une caméra étalonnée et sa place.</translation>
     </message>
     <message>
-        <source>%1 cannot be opened. Bask opens experiments and rigs (JSON), recorded sessions (BASK) and outlines (SVG, DXF, CSV, pictures).</source>
-        <translation>%1 ne peut pas être ouvert. Bask ouvre des expériences et des bancs (JSON), des sessions enregistrées (BASK) et des contours (SVG, DXF, CSV, images).</translation>
-    </message>
-    <message>
         <source>Redone: %1</source>
         <translation>Rétabli&#xa0;: %1</translation>
     </message>
@@ -7345,6 +7465,11 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Show in folder</source>
         <translation>Montrer dans le dossier</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened. Bask opens experiments and rigs (JSON), recorded sessions (BASK) and outlines (%2, pictures).</source>
+        <comment>%2 names of file formats, with commas</comment>
+        <translation>%1 ne peut pas être ouvert. Bask ouvre des expériences et des bancs (JSON), des sessions enregistrées (BASK) et des contours (%2, images).</translation>
     </message>
 </context>
 <context>
@@ -9043,8 +9168,21 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>Prédit</translation>
     </message>
     <message>
-        <source>The run as the simulated rig predicts it from where it starts: dotted behind the traces, dashed in the scene.</source>
-        <translation>L’essai tel que le banc simulé le prédit depuis son point de départ&#xa0;: en pointillé derrière les courbes, en tireté dans la scène.</translation>
+        <source>%1 %2 %</source>
+        <comment>the name of an object, and how much of the source the others hide from it</comment>
+        <translation>%1 %2 %</translation>
+    </message>
+    <message>
+        <source>Shaded: %1</source>
+        <translation>Ombre : %1</translation>
+    </message>
+    <message>
+        <source>How much of the source the other objects hide: %1. The view factors count it.</source>
+        <translation>Part de la source que les autres objets cachent : %1. Les facteurs de forme en tiennent compte.</translation>
+    </message>
+    <message>
+        <source>The run as the simulated rig predicts it from where it starts: dotted behind the traces, dashed in the scene. Its band: %1 runs with other sensor noise; not material, air or source, which are as the experiment has them. It is kept with the recording.</source>
+        <translation>L’essai tel que le banc simulé le prédit depuis son point de départ : en pointillé derrière les courbes, en tireté dans la scène. Sa bande : %1 essais avec un autre bruit des capteurs ; ni autre matériau, ni autre air, ni autre source, qui sont ceux de l’expérience. Il est gardé avec l’enregistrement.</translation>
     </message>
 </context>
 <context>
@@ -9801,6 +9939,28 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <source>± is the standard uncertainty of a material&apos;s value.</source>
         <translation>± est l’incertitude type d’une valeur du matériau.</translation>
     </message>
+    <message>
+        <source>none</source>
+        <comment>no simulated fault any more</comment>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>ended</source>
+        <comment>a simulated fault</comment>
+        <translation>terminé</translation>
+    </message>
+    <message>
+        <source>Speed of the simulation</source>
+        <translation>Vitesse de la simulation</translation>
+    </message>
+    <message>
+        <source>Temperature of the source, as typed</source>
+        <translation>Température de la source, saisie à la main</translation>
+    </message>
+    <message>
+        <source>Simulated fault</source>
+        <translation>Défaut simulé</translation>
+    </message>
 </context>
 <context>
     <name>bask::RunStateChip</name>
@@ -10338,10 +10498,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>Les alarmes qu’ont eues les essais listés, combien de fois et quand</translation>
     </message>
     <message>
-        <source>What each run told at its end. Damage of its file is found when the run is selected (a long one: when it is opened), whether it was altered when it is opened; both are listed until the file changes or Bask is closed.</source>
-        <translation>Ce que chaque essai a dit à sa fin. Un fichier endommagé est reconnu quand l’essai est choisi (un long&#xa0;: quand il est ouvert), un fichier modifié quand il est ouvert&#xa0;; les deux restent marqués jusqu’à ce que le fichier change ou que Bask soit fermé.</translation>
-    </message>
-    <message>
         <source>From Start to Stop, STOP or the engine&apos;s end of the run. What is recorded after it, until all is away or cold, does not count.</source>
         <translation>Du démarrage à l’arrêt, à STOP ou à la fin de l’essai par le moteur. Ce qui est enregistré ensuite, jusqu’à ce que tout soit éloigné ou froid, ne compte pas.</translation>
     </message>
@@ -10352,6 +10508,19 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Draws the selected runs over the one that is open, all from their Start. Without an open one, select several (Ctrl and click): the first of them is opened.</source>
         <translation>Dessine les essais choisis par-dessus celui qui est ouvert, tous depuis leur démarrage. Si aucun n’est ouvert, choisissez-en plusieurs (Ctrl et un clic)&#xa0;: le premier est ouvert.</translation>
+    </message>
+    <message>
+        <source>Not verified: nobody has looked yet whether the recording is as it was made.</source>
+        <translation>Non vérifié : personne n’a encore regardé si l’enregistrement est tel qu’il a été fait.</translation>
+    </message>
+    <message>
+        <source>%1, not verified</source>
+        <comment>an outcome</comment>
+        <translation>%1, non vérifié</translation>
+    </message>
+    <message>
+        <source>What each run told at its end; in italics until its recording was verified: a short one while nothing else is to be done, a long one when it is opened. Damage of its file is found when the run is selected, too. All of it is listed until the file changes or Bask is closed.</source>
+        <translation>Ce que chaque essai a dit à sa fin ; en italique jusqu’à ce que son enregistrement soit vérifié : un court quand il n’y a rien d’autre à faire, un long quand il est ouvert. Un fichier endommagé est aussi reconnu quand l’essai est choisi. Tout cela reste marqué jusqu’à ce que le fichier change ou que Bask soit fermé.</translation>
     </message>
 </context>
 <context>
@@ -10447,6 +10616,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Print</source>
         <translation>Impression</translation>
+    </message>
+    <message>
+        <source>The sheet was saved as %1.</source>
+        <translation>La feuille a été enregistrée sous le nom %1.</translation>
     </message>
 </context>
 <context>
@@ -11050,6 +11223,10 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <source>Apparent temperature: that of a black body which looks the same. The objects&apos; temperatures have reflections and emittance taken into account.</source>
         <translation>Température apparente&#xa0;: celle d’un corps noir de même aspect. Les températures des objets tiennent compte des réflexions et de l’émissivité.</translation>
     </message>
+    <message>
+        <source>Left out last: %1</source>
+        <translation>Laissée de côté en dernier : %1</translation>
+    </message>
 </context>
 <context>
     <name>bask::ThermalControls</name>
@@ -11199,6 +11376,14 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <source>Apparent temperatures of all but the 0.5 % at either end.</source>
         <translation>Températures apparentes de tous les pixels sauf 0,5&#xa0;% à chaque bout.</translation>
     </message>
+    <message>
+        <source>%1 (part)</source>
+        <translation>%1 (partie)</translation>
+    </message>
+    <message>
+        <source>A part of the object is outside of the picture: the reading is that of the rest.</source>
+        <translation>Une partie de l’objet est hors de l’image : la mesure est celle du reste.</translation>
+    </message>
 </context>
 <context>
     <name>bask::ThermalPanel</name>
@@ -11309,6 +11494,13 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <source>taken at %1</source>
         <translation>prise à %1</translation>
     </message>
+    <message numerus="yes">
+        <source>%n picture(s) left out</source>
+        <translation>
+            <numerusform>%n image laissée de côté</numerusform>
+            <numerusform>%n images laissées de côté</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bask::TracePlot</name>
@@ -11413,6 +11605,10 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <numerusform>%n autre sans numéro</numerusform>
             <numerusform>%n autres sans numéro</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>predicted; band: other sensor noise only</source>
+        <translation>prédit ; bande : autre bruit des capteurs seulement</translation>
     </message>
 </context>
 <context>
@@ -11675,6 +11871,37 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
     <message>
         <source>Intact: %1 rows, not sealed, head %2</source>
         <translation>Intact&#xa0;: %1 lignes, non scellé, tête %2</translation>
+    </message>
+    <message>
+        <source>key %1</source>
+        <translation>clé %1</translation>
+    </message>
+    <message>
+        <source>view %1</source>
+        <translation>vue %1</translation>
+    </message>
+    <message>
+        <source>index %1</source>
+        <comment>of a database</comment>
+        <translation>index %1</translation>
+    </message>
+    <message>
+        <source>trigger %1</source>
+        <comment>of a database</comment>
+        <translation>déclencheur %1</translation>
+    </message>
+    <message>
+        <source>the file&apos;s header</source>
+        <translation>l’en-tête du fichier</translation>
+    </message>
+    <message>
+        <source>after %1</source>
+        <comment>a time since Start</comment>
+        <translation>après %1</translation>
+    </message>
+    <message>
+        <source>Altered: its seal was removed. Tags, and bytes of the file that are in no row, may have been changed.</source>
+        <translation>Modifié&#xa0;: son sceau a été enlevé. Les étiquettes, et des octets du fichier qui ne sont dans aucune ligne, ont pu être changés.</translation>
     </message>
 </context>
 <context>

@@ -195,6 +195,10 @@
         <source>it has a format number that no version has</source>
         <translation>其格式编号不属于任何版本</translation>
     </message>
+    <message>
+        <source>the header of its database was written over</source>
+        <translation>其数据库的文件头已被覆盖</translation>
+    </message>
 </context>
 <context>
     <name>Device</name>
@@ -560,10 +564,6 @@
         <translation>“%1”的一帧有 %2 字节，而这里有 %3 字节；请选择拍摄它的相机的配置文件，或重新记录</translation>
     </message>
     <message>
-        <source>the file holds %1 frames of &quot;%2&quot; one after another; save one frame (%3 bytes) a file</source>
-        <translation>该文件依次包含“%2”的 %1 帧；请每个文件只保存一帧（%3 字节）</translation>
-    </message>
-    <message>
         <source>the number %1 at column %2, row %3 does not fit into %4 bits; the byte order, or the profile, is another camera&apos;s</source>
         <translation>第 %2 列、第 %3 行的数值 %1 超出 %4 位；字节顺序或配置文件属于另一台相机</translation>
     </message>
@@ -586,10 +586,6 @@
     <message>
         <source>one channel of 16 bits is needed, and this picture has %1; save the camera&apos;s numbers, not the colours that it shows</source>
         <translation>需要 16 位的单通道，而该图像是 %1；请保存相机的数值，而不是它显示的颜色</translation>
-    </message>
-    <message>
-        <source>the file holds several pictures; save one picture a file</source>
-        <translation>该文件包含多幅图像；请每个文件只保存一幅</translation>
     </message>
     <message>
         <source>a picture of &quot;%1&quot; has %2 pixels, this one has %3; choose the profile of the camera that it came from</source>
@@ -1556,10 +1552,6 @@
         <translation>热源已有 %1 s 没有给出温度。加热已关闭。请检查其传感器和连接，然后复位。</translation>
     </message>
     <message>
-        <source>The robot has not reported or obeyed anything for %1 s. The heat is off. Check its controller, then reset.</source>
-        <translation>机器人已有 %1 s 没有任何回报，也不执行指令。加热已关闭。请检查其控制器，然后复位。</translation>
-    </message>
-    <message>
         <source>The source is heated manually and is at %1: Bask cannot switch it off. Switch it off yourself, and keep the objects away from it.</source>
         <translation>热源由人工加热，当前 %1：Bask 无法将其关闭。请您自行关闭，并使物体远离它。</translation>
     </message>
@@ -1888,10 +1880,6 @@
         <translation>其表面反射热源，而热源的温度未知</translation>
     </message>
     <message>
-        <source>its face reflects the source, which is uneven or moved; that cannot be taken off yet, so aim the camera at the backs of the objects</source>
-        <translation>其表面反射热源，而热源不均匀或被移动；这还不能扣除，请将相机对准物体的背面</translation>
-    </message>
-    <message>
         <source>it is above %1, where the camera&apos;s numbers are known to be wrong</source>
         <translation>它高于 %1，已知相机的数值在那里有误</translation>
     </message>
@@ -2078,6 +2066,102 @@
     <message>
         <source>&quot;%1&quot; is at %2, %3 from its target, and has gone farther from it for %4 s. Its sensor may be on another object, its outline or its mounting may be wrong, or something heats or cools it. The run goes on: check these.</source>
         <translation>“%1”为 %2，距目标 %3，且已持续远离 %4 s。其传感器可能在别的物体上，其轮廓或安装可能有误，或有东西在加热或冷却它。运行仍在继续：请检查这些。</translation>
+    </message>
+    <message>
+        <source>line %1: &lt;use&gt; draws &quot;%2&quot;, which is not in the drawing (no other file is opened); put it there, or take the &lt;use&gt; out</source>
+        <translation>第 %1 行：&lt;use&gt; 绘制的“%2”不在图形中（不会打开其他文件）；请把它放入图形，或去掉该 &lt;use&gt;</translation>
+    </message>
+    <message>
+        <source>line %1: the points of &lt;%2&gt; are damaged from &quot;%3&quot; on</source>
+        <translation>第 %1 行：&lt;%2&gt; 的点从“%3”起已损坏</translation>
+    </message>
+    <message>
+        <source>line %1: the %2 of &lt;%3&gt;, &quot;%4&quot;, is no length; write a number, with px, mm, cm, in, pt, pc or % if it has a unit</source>
+        <translation>第 %1 行：&lt;%3&gt; 的 %2“%4”不是长度；请写一个数字，有单位时加上 px、mm、cm、in、pt、pc 或 %</translation>
+    </message>
+    <message>
+        <source>line %1: the transform of &lt;%2&gt; is damaged from &quot;%3&quot; on</source>
+        <translation>第 %1 行：&lt;%2&gt; 的变换从“%3”起已损坏</translation>
+    </message>
+    <message>
+        <source>a chessboard or the like: there are too many quadrangles to find a marker among them; cut the markers out</source>
+        <translation>是棋盘格之类的图片：四边形太多，无法在其中找到标记；请把标记裁剪出来</translation>
+    </message>
+    <message>
+        <source>the file holds %1 frames of &quot;%2&quot; one after another; choose one by its number (thermal-frame --frame), or save one frame (%3 bytes) a file</source>
+        <translation>该文件依次包含“%2”的 %1 帧；请按编号选择一帧（thermal-frame --frame），或每个文件只保存一帧（%3 字节）</translation>
+    </message>
+    <message>
+        <source>the file holds %1 pictures; choose one by its number (thermal-frame --frame), or save one picture a file</source>
+        <translation>该文件包含 %1 幅图像；请按编号选择一幅（thermal-frame --frame），或每个文件只保存一幅</translation>
+    </message>
+    <message>
+        <source>its face reflects the source, whose place is not known; let the source be seen, or aim the camera at the backs of the objects</source>
+        <translation>其表面反射热源，而热源的位置未知；请让热源可被看到，或将相机对准物体的背面</translation>
+    </message>
+    <message>
+        <source>where &quot;%1&quot; has temperatures, this frame holds a plain picture; its halves are exchanged, or the camera sends no temperatures. Record it again as the camera sends it</source>
+        <translation>在“%1”应有温度之处，此帧是普通画面；它的上下两半被调换了，或相机没有送出温度。请按相机送出的原样重新录制</translation>
+    </message>
+    <message>
+        <source>all pixels are between %1 and %2, as the bytes of a plain grey picture would be; make sure that the camera looks at something that hot</source>
+        <translation>所有像素都在 %1 至 %2 之间，普通灰度画面的字节也会如此；请确认相机看的确实是这么热的东西</translation>
+    </message>
+    <message>
+        <source>line %1 counts up by one, as a line of column numbers does, and nothing tells whether it is temperatures; name the camera&apos;s profile, whose size tells, or delete the line</source>
+        <translation>第 %1 行逐个加一，与列号的行一样，无法判断它是否是温度；请指定相机的配置文件，由其尺寸判断，或删除该行</translation>
+    </message>
+    <message>
+        <source>the first column counts up by one, as line numbers do, and nothing tells whether it is temperatures; name the camera&apos;s profile, whose size tells, or delete the column</source>
+        <translation>第一列逐个加一，与行号一样，无法判断它是否是温度；请指定相机的配置文件，由其尺寸判断，或删除该列</translation>
+    </message>
+    <message>
+        <source>there is no frame %1: the file holds %2, counted from 1</source>
+        <translation>没有第 %1 帧：该文件有 %2 帧，从 1 开始计数</translation>
+    </message>
+    <message>
+        <source>the bytes are those of %1 frames of &quot;%2&quot; or, with its optional rows, of %3, and nothing tells which; save one frame a file</source>
+        <translation>这些字节可以是“%2”的 %1 帧，或连同其可选行的 %3 帧，无法判断是哪一种；请每个文件只保存一帧</translation>
+    </message>
+    <message>
+        <source>it is a BigTIFF, which is not read; save it as an ordinary TIFF, or as PNG</source>
+        <translation>这是 BigTIFF，不能读取；请另存为普通 TIFF 或 PNG</translation>
+    </message>
+    <message>
+        <source>case %1 is also in %2, with other bytes: one of the two parts was changed; leave it out, or delete it and run its shard again</source>
+        <translation>案例 %1 在 %2 中也有，但字节不同：两个分片文件之一被改动过；请不要列出它，或删除它并重新运行其分片</translation>
+    </message>
+    <message>
+        <source>warning limit of &quot;%1&quot;</source>
+        <translation>“%1”的警告限值</translation>
+    </message>
+    <message>
+        <source>trip limit of &quot;%1&quot;</source>
+        <translation>“%1”的跳闸限值</translation>
+    </message>
+    <message>
+        <source>lowest %1</source>
+        <translation>%1 的下限</translation>
+    </message>
+    <message>
+        <source>highest %1</source>
+        <translation>%1 的上限</translation>
+    </message>
+    <message>
+        <source>axis %1</source>
+        <translation>轴 %1</translation>
+    </message>
+    <message>
+        <source>%1/s</source>
+        <translation>%1/s</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s link is there, but the robot has reported or obeyed nothing for %1 s: its controller is busy, blocked or held. The heat is off. Look at the robot and its controller, then reset.</source>
+        <translation>机器人的链路正常，但机器人已有 %1 s 没有报告或执行任何内容：其控制器正忙、受阻或被停住。加热已关闭。请查看机器人及其控制器，然后复位。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is at %2 and warms by %3/s with the heat off; the source explains at most %4/s. Something else heats it, or its sensor has just been put on it. Look at it before it reaches its limits.</source>
+        <translation>“%1”为 %2，在加热关闭时以 %3/s 升温；热源最多能解释 %4/s。有别的东西在加热它，或其传感器刚刚装上。请在它达到限值之前查看。</translation>
     </message>
 </context>
 <context>
@@ -2420,6 +2504,38 @@
     <message>
         <source>it is written to again and again</source>
         <translation>它不断被写入</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>theta x</source>
+        <translation>θx</translation>
+    </message>
+    <message>
+        <source>theta y</source>
+        <translation>θy</translation>
+    </message>
+    <message>
+        <source>theta z</source>
+        <translation>θz</translation>
+    </message>
+    <message>
+        <source>fixed</source>
+        <translation>固定</translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation>自由</translation>
     </message>
 </context>
 <context>
@@ -4469,6 +4585,10 @@
         <source>Look at what would be started, and allow it on this computer</source>
         <translation>查看将启动的内容，并在本计算机上允许</translation>
     </message>
+    <message>
+        <source>The last of them: %1</source>
+        <translation>其中最近一个：%1</translation>
+    </message>
 </context>
 <context>
     <name>bask::DeviceConsole</name>
@@ -6462,24 +6582,12 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>最后设定的目标。其余数值从该时刻（若未更改过，则从“开始”）算起，到“停止”为止。</translation>
     </message>
     <message>
-        <source>Time between the first crossings of 10 % and of 90 % of the step, which leads from the temperature when the target was set to the target. Not given for steps under twice the band.</source>
-        <translation>首次越过阶跃的 10 % 与首次越过 90 % 之间的时间；阶跃从设定目标时的温度到目标为止。阶跃小于容差带两倍时不给出。</translation>
-    </message>
-    <message>
         <source>How far the temperature went beyond the target in the direction of the step, and as a share of the step. Not given for steps under twice the band.</source>
         <translation>温度沿阶跃方向超出目标的量，以及它占阶跃的比例。阶跃小于容差带两倍时不给出。</translation>
     </message>
     <message>
-        <source>Length of the path of the object&apos;s centre in the robot&apos;s base, from Start until Stop.</source>
-        <translation>从“开始”到“停止”，物体中心在机器人基座坐标系中所走路径的长度。</translation>
-    </message>
-    <message>
         <source>From Start until Stop.</source>
         <translation>从“开始”到“停止”。</translation>
-    </message>
-    <message>
-        <source>Length of the path of the end-effector&apos;s origin in the robot&apos;s base, from Start until Stop.</source>
-        <translation>从“开始”到“停止”，末端执行器原点在机器人基座坐标系中所走路径的长度。</translation>
     </message>
     <message>
         <source>Sum of the angles by which the end-effector was turned from sample to sample.</source>
@@ -6526,6 +6634,18 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Time until the temperature stays within %1 of the target until Stop. The event &quot;All objects settled&quot; is another and comes later: when all objects have been so near for %2 s by the controller&apos;s estimates, and the robot needs no other place. ± is its standard uncertainty: how far readings that are wrong by theirs move that moment, and the period. Not sure: with such an error it would be outside at the end.</source>
         <translation>直到温度进入目标的 %1 以内并保持到“停止”为止所需的时间。事件“所有物体均已稳定”是另一回事，并且更晚：按控制器的估计，全部物体已如此接近 %2 s，且机器人无需再去别处。± 为其标准不确定度：读数偏差为其不确定度时该时刻移动多少，以及周期。“不确定”：有这样的误差时，结束时温度在范围之外。</translation>
+    </message>
+    <message>
+        <source>Time between the first crossings of 10 % and of 90 % of the step, which leads from the temperature when the target was set to the target. Not given for steps under twice the band. ± is its standard uncertainty: how far wrong readings at the beginning and at both crossings move these.</source>
+        <translation>首次越过阶跃的 10 % 与首次越过 90 % 之间的时间；阶跃从设定目标时的温度到目标为止。阶跃小于容差带两倍时不给出。± 为其标准不确定度：开始时和两次越过时的读数误差使其移动多少。</translation>
+    </message>
+    <message>
+        <source>Length of the path of the object&apos;s centre in the robot&apos;s base, from Start until Stop, by the robot&apos;s reported places, whose uncertainty no device tells.</source>
+        <translation>从“开始”到“停止”，物体中心在机器人基座坐标系中所走路径的长度，按机器人报告的位置计算，没有设备给出其不确定度。</translation>
+    </message>
+    <message>
+        <source>Length of the path of the end-effector&apos;s origin in the robot&apos;s base, from Start until Stop, by the robot&apos;s reported places, whose uncertainty no device tells.</source>
+        <translation>从“开始”到“停止”，末端执行器原点在机器人基座坐标系中所走路径的长度，按机器人报告的位置计算，没有设备给出其不确定度。</translation>
     </message>
 </context>
 <context>
@@ -7048,8 +7168,12 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>%1 未变</translation>
     </message>
     <message>
-        <source>Age of the newest reading that was believed, how long a sensor has told the same value, or what the thermal camera sees of the object, with twice its standard uncertainty</source>
-        <translation>最近一次被采信的读数距今多久、传感器的读数多久未变，或热像仪所见的该物体的温度及其两倍标准不确定度</translation>
+        <source>Camera %1 (part)</source>
+        <translation>热像仪 %1（部分）</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of the reading, or what the thermal camera sees of the object, with twice its own; of a reading that is not believed its age, or how long the sensor has told the same value. (part): some of the object is outside of the picture</source>
+        <translation>读数的标准不确定度，或热像仪所见的物体温度及其标准不确定度的两倍；读数不予采信时，为其时效，或传感器数值多久未变。（部分）：物体有一部分在图像之外</translation>
     </message>
 </context>
 <context>
@@ -7300,10 +7424,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>不再跟踪热源：这需要热源上有标记、相机已标定且其位置已知。</translation>
     </message>
     <message>
-        <source>%1 cannot be opened. Bask opens experiments and rigs (JSON), recorded sessions (BASK) and outlines (SVG, DXF, CSV, pictures).</source>
-        <translation>无法打开 %1。Bask 可打开实验和装置（JSON）、记录的会话（BASK）以及轮廓（SVG、DXF、CSV、图片）。</translation>
-    </message>
-    <message>
         <source>Redone: %1</source>
         <translation>已重做：%1</translation>
     </message>
@@ -7334,6 +7454,11 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Show in folder</source>
         <translation>在文件夹中显示</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened. Bask opens experiments and rigs (JSON), recorded sessions (BASK) and outlines (%2, pictures).</source>
+        <comment>%2 names of file formats, with commas</comment>
+        <translation>无法打开 %1。Bask 可打开实验和装置（JSON）、记录的会话（BASK）以及轮廓（%2、图片）。</translation>
     </message>
 </context>
 <context>
@@ -9029,8 +9154,21 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>预测</translation>
     </message>
     <message>
-        <source>The run as the simulated rig predicts it from where it starts: dotted behind the traces, dashed in the scene.</source>
-        <translation>仿真装置从运行起始处预测的运行：在曲线后面为点线，在场景中为虚线。</translation>
+        <source>%1 %2 %</source>
+        <comment>the name of an object, and how much of the source the others hide from it</comment>
+        <translation>%1 %2 %</translation>
+    </message>
+    <message>
+        <source>Shaded: %1</source>
+        <translation>遮挡：%1</translation>
+    </message>
+    <message>
+        <source>How much of the source the other objects hide: %1. The view factors count it.</source>
+        <translation>其他物体遮住热源的比例：%1。角系数已计入。</translation>
+    </message>
+    <message>
+        <source>The run as the simulated rig predicts it from where it starts: dotted behind the traces, dashed in the scene. Its band: %1 runs with other sensor noise; not material, air or source, which are as the experiment has them. It is kept with the recording.</source>
+        <translation>仿真装置从运行起始处预测的运行：在曲线后面为点线，在场景中为虚线。其色带：%1 次传感器噪声不同的运行；不涵盖不同的材料、空气或热源，它们取实验中的值。它与记录一同保存。</translation>
     </message>
 </context>
 <context>
@@ -9781,6 +9919,28 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>± is the standard uncertainty of a material&apos;s value.</source>
         <translation>± 为材料数值的标准不确定度。</translation>
     </message>
+    <message>
+        <source>none</source>
+        <comment>no simulated fault any more</comment>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>ended</source>
+        <comment>a simulated fault</comment>
+        <translation>已结束</translation>
+    </message>
+    <message>
+        <source>Speed of the simulation</source>
+        <translation>仿真速度</translation>
+    </message>
+    <message>
+        <source>Temperature of the source, as typed</source>
+        <translation>热源温度（手动输入）</translation>
+    </message>
+    <message>
+        <source>Simulated fault</source>
+        <translation>模拟故障</translation>
+    </message>
 </context>
 <context>
     <name>bask::RunStateChip</name>
@@ -10314,10 +10474,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>所列运行中出现过哪些报警、多少次、何时</translation>
     </message>
     <message>
-        <source>What each run told at its end. Damage of its file is found when the run is selected (a long one: when it is opened), whether it was altered when it is opened; both are listed until the file changes or Bask is closed.</source>
-        <translation>各次运行结束时给出的结果。文件损坏在选中该运行时发现（较长的运行在打开时发现），是否被改动过在打开时发现；两者都保留到文件改变或 Bask 关闭。</translation>
-    </message>
-    <message>
         <source>From Start to Stop, STOP or the engine&apos;s end of the run. What is recorded after it, until all is away or cold, does not count.</source>
         <translation>从“开始”到“停止”、软件停止或引擎结束运行为止。此后记录到一切撤离或冷却为止的部分不计。</translation>
     </message>
@@ -10328,6 +10484,19 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Draws the selected runs over the one that is open, all from their Start. Without an open one, select several (Ctrl and click): the first of them is opened.</source>
         <translation>将所选的各次运行叠加到已打开的运行上，都从开始时刻对齐。没有打开的运行时，请选择几次（按住 Ctrl 并单击）：其中第一个会被打开。</translation>
+    </message>
+    <message>
+        <source>Not verified: nobody has looked yet whether the recording is as it was made.</source>
+        <translation>未验证：还没有人查看此记录是否与生成时一致。</translation>
+    </message>
+    <message>
+        <source>%1, not verified</source>
+        <comment>an outcome</comment>
+        <translation>%1，未验证</translation>
+    </message>
+    <message>
+        <source>What each run told at its end; in italics until its recording was verified: a short one while nothing else is to be done, a long one when it is opened. Damage of its file is found when the run is selected, too. All of it is listed until the file changes or Bask is closed.</source>
+        <translation>各次运行结束时给出的结果；在其记录得到验证之前以斜体显示：较短的在没有别的事要做时验证，较长的在打开时验证。选中运行时也会发现其文件的损坏。这些都保留到文件改变或 Bask 关闭。</translation>
     </message>
 </context>
 <context>
@@ -10423,6 +10592,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Print</source>
         <translation>打印</translation>
+    </message>
+    <message>
+        <source>The sheet was saved as %1.</source>
+        <translation>打印页已保存为 %1。</translation>
     </message>
 </context>
 <context>
@@ -11024,6 +11197,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <source>Apparent temperature: that of a black body which looks the same. The objects&apos; temperatures have reflections and emittance taken into account.</source>
         <translation>表观温度：看起来相同的黑体的温度。物体的温度已计入反射和发射率。</translation>
     </message>
+    <message>
+        <source>Left out last: %1</source>
+        <translation>最近略过的：%1</translation>
+    </message>
 </context>
 <context>
     <name>bask::ThermalControls</name>
@@ -11172,6 +11349,14 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <source>Apparent temperatures of all but the 0.5 % at either end.</source>
         <translation>除两端各 0.5 % 外所有像素的表观温度。</translation>
     </message>
+    <message>
+        <source>%1 (part)</source>
+        <translation>%1（部分）</translation>
+    </message>
+    <message>
+        <source>A part of the object is outside of the picture: the reading is that of the rest.</source>
+        <translation>物体有一部分在图像之外：读数是其余部分的。</translation>
+    </message>
 </context>
 <context>
     <name>bask::ThermalPanel</name>
@@ -11282,6 +11467,12 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <source>taken at %1</source>
         <translation>拍摄于 %1</translation>
     </message>
+    <message numerus="yes">
+        <source>%n picture(s) left out</source>
+        <translation>
+            <numerusform>略过 %n 幅图像</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bask::TracePlot</name>
@@ -11385,6 +11576,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <translation>
             <numerusform>另有 %n 个未编号</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>predicted; band: other sensor noise only</source>
+        <translation>预测；色带：仅传感器噪声不同</translation>
     </message>
 </context>
 <context>
@@ -11646,6 +11841,37 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <message>
         <source>Intact: %1 rows, not sealed, head %2</source>
         <translation>完好：%1 行，未封存，链头 %2</translation>
+    </message>
+    <message>
+        <source>key %1</source>
+        <translation>键 %1</translation>
+    </message>
+    <message>
+        <source>view %1</source>
+        <translation>视图 %1</translation>
+    </message>
+    <message>
+        <source>index %1</source>
+        <comment>of a database</comment>
+        <translation>索引 %1</translation>
+    </message>
+    <message>
+        <source>trigger %1</source>
+        <comment>of a database</comment>
+        <translation>触发器 %1</translation>
+    </message>
+    <message>
+        <source>the file&apos;s header</source>
+        <translation>文件头</translation>
+    </message>
+    <message>
+        <source>after %1</source>
+        <comment>a time since Start</comment>
+        <translation>在 %1 之后</translation>
+    </message>
+    <message>
+        <source>Altered: its seal was removed. Tags, and bytes of the file that are in no row, may have been changed.</source>
+        <translation>已改动：封印已被移除。标签以及文件中不属于任何行的字节可能已被更改。</translation>
     </message>
 </context>
 <context>

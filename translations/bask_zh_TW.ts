@@ -195,6 +195,10 @@
         <source>it has a format number that no version has</source>
         <translation>其格式編號不屬於任何版本</translation>
     </message>
+    <message>
+        <source>the header of its database was written over</source>
+        <translation>其資料庫的檔案標頭已被覆寫</translation>
+    </message>
 </context>
 <context>
     <name>Device</name>
@@ -560,10 +564,6 @@
         <translation>「%1」的一個影格有 %2 位元組，而這裡有 %3 位元組；請選擇拍攝它的相機的設定檔，或重新記錄</translation>
     </message>
     <message>
-        <source>the file holds %1 frames of &quot;%2&quot; one after another; save one frame (%3 bytes) a file</source>
-        <translation>該檔案依序包含「%2」的 %1 個影格；請每個檔案只儲存一個影格（%3 位元組）</translation>
-    </message>
-    <message>
         <source>the number %1 at column %2, row %3 does not fit into %4 bits; the byte order, or the profile, is another camera&apos;s</source>
         <translation>第 %2 欄、第 %3 列的數值 %1 超出 %4 位元；位元組順序或設定檔屬於另一台相機</translation>
     </message>
@@ -586,10 +586,6 @@
     <message>
         <source>one channel of 16 bits is needed, and this picture has %1; save the camera&apos;s numbers, not the colours that it shows</source>
         <translation>需要 16 位元的單一通道，而該影像是 %1；請儲存相機的數值，而不是它顯示的顏色</translation>
-    </message>
-    <message>
-        <source>the file holds several pictures; save one picture a file</source>
-        <translation>該檔案包含多幅影像；請每個檔案只儲存一幅</translation>
     </message>
     <message>
         <source>a picture of &quot;%1&quot; has %2 pixels, this one has %3; choose the profile of the camera that it came from</source>
@@ -1556,10 +1552,6 @@
         <translation>熱源已有 %1 s 沒有給出溫度。加熱已關閉。請檢查其感測器和連線，然後復歸。</translation>
     </message>
     <message>
-        <source>The robot has not reported or obeyed anything for %1 s. The heat is off. Check its controller, then reset.</source>
-        <translation>機器人已有 %1 s 沒有任何回報，也不執行指令。加熱已關閉。請檢查其控制器，然後復歸。</translation>
-    </message>
-    <message>
         <source>The source is heated manually and is at %1: Bask cannot switch it off. Switch it off yourself, and keep the objects away from it.</source>
         <translation>熱源由人工加熱，目前 %1：Bask 無法將其關閉。請您自行關閉，並使物體遠離它。</translation>
     </message>
@@ -1888,10 +1880,6 @@
         <translation>其表面反射熱源，而熱源的溫度未知</translation>
     </message>
     <message>
-        <source>its face reflects the source, which is uneven or moved; that cannot be taken off yet, so aim the camera at the backs of the objects</source>
-        <translation>其表面反射熱源，而熱源不均勻或被移動；這還不能扣除，請將相機對準物體的背面</translation>
-    </message>
-    <message>
         <source>it is above %1, where the camera&apos;s numbers are known to be wrong</source>
         <translation>它高於 %1，已知相機的數值在那裡有誤</translation>
     </message>
@@ -2078,6 +2066,102 @@
     <message>
         <source>&quot;%1&quot; is at %2, %3 from its target, and has gone farther from it for %4 s. Its sensor may be on another object, its outline or its mounting may be wrong, or something heats or cools it. The run goes on: check these.</source>
         <translation>「%1」為 %2，距目標 %3，且已持續遠離 %4 s。其感測器可能在別的物體上，其輪廓或安裝可能有誤，或有東西在加熱或冷卻它。執行仍在繼續：請檢查這些。</translation>
+    </message>
+    <message>
+        <source>line %1: &lt;use&gt; draws &quot;%2&quot;, which is not in the drawing (no other file is opened); put it there, or take the &lt;use&gt; out</source>
+        <translation>第 %1 行：&lt;use&gt; 繪製的「%2」不在圖形中（不會開啟其他檔案）；請把它放入圖形，或去掉該 &lt;use&gt;</translation>
+    </message>
+    <message>
+        <source>line %1: the points of &lt;%2&gt; are damaged from &quot;%3&quot; on</source>
+        <translation>第 %1 行：&lt;%2&gt; 的點從「%3」起已損壞</translation>
+    </message>
+    <message>
+        <source>line %1: the %2 of &lt;%3&gt;, &quot;%4&quot;, is no length; write a number, with px, mm, cm, in, pt, pc or % if it has a unit</source>
+        <translation>第 %1 行：&lt;%3&gt; 的 %2「%4」不是長度；請寫一個數字，有單位時加上 px、mm、cm、in、pt、pc 或 %</translation>
+    </message>
+    <message>
+        <source>line %1: the transform of &lt;%2&gt; is damaged from &quot;%3&quot; on</source>
+        <translation>第 %1 行：&lt;%2&gt; 的變換從「%3」起已損壞</translation>
+    </message>
+    <message>
+        <source>a chessboard or the like: there are too many quadrangles to find a marker among them; cut the markers out</source>
+        <translation>是棋盤格之類的圖片：四邊形太多，無法在其中找到標記；請把標記裁切出來</translation>
+    </message>
+    <message>
+        <source>the file holds %1 frames of &quot;%2&quot; one after another; choose one by its number (thermal-frame --frame), or save one frame (%3 bytes) a file</source>
+        <translation>該檔案依序包含「%2」的 %1 個影格；請按編號選擇一個影格（thermal-frame --frame），或每個檔案只儲存一個影格（%3 位元組）</translation>
+    </message>
+    <message>
+        <source>the file holds %1 pictures; choose one by its number (thermal-frame --frame), or save one picture a file</source>
+        <translation>該檔案包含 %1 幅影像；請按編號選擇一幅（thermal-frame --frame），或每個檔案只儲存一幅</translation>
+    </message>
+    <message>
+        <source>its face reflects the source, whose place is not known; let the source be seen, or aim the camera at the backs of the objects</source>
+        <translation>其表面反射熱源，而熱源的位置未知；請讓熱源可被看到，或將相機對準物體的背面</translation>
+    </message>
+    <message>
+        <source>where &quot;%1&quot; has temperatures, this frame holds a plain picture; its halves are exchanged, or the camera sends no temperatures. Record it again as the camera sends it</source>
+        <translation>在「%1」應有溫度之處，此影格是一般畫面；它的上下兩半被調換了，或相機沒有送出溫度。請按相機送出的原樣重新錄製</translation>
+    </message>
+    <message>
+        <source>all pixels are between %1 and %2, as the bytes of a plain grey picture would be; make sure that the camera looks at something that hot</source>
+        <translation>所有像素都在 %1 至 %2 之間，一般灰階畫面的位元組也會如此；請確認相機看的確實是這麼熱的東西</translation>
+    </message>
+    <message>
+        <source>line %1 counts up by one, as a line of column numbers does, and nothing tells whether it is temperatures; name the camera&apos;s profile, whose size tells, or delete the line</source>
+        <translation>第 %1 行逐個加一，與欄號的行一樣，無法判斷它是否是溫度；請指定相機的設定檔，由其尺寸判斷，或刪除該行</translation>
+    </message>
+    <message>
+        <source>the first column counts up by one, as line numbers do, and nothing tells whether it is temperatures; name the camera&apos;s profile, whose size tells, or delete the column</source>
+        <translation>第一欄逐個加一，與行號一樣，無法判斷它是否是溫度；請指定相機的設定檔，由其尺寸判斷，或刪除該欄</translation>
+    </message>
+    <message>
+        <source>there is no frame %1: the file holds %2, counted from 1</source>
+        <translation>沒有第 %1 個影格：該檔案有 %2 個影格，從 1 開始計數</translation>
+    </message>
+    <message>
+        <source>the bytes are those of %1 frames of &quot;%2&quot; or, with its optional rows, of %3, and nothing tells which; save one frame a file</source>
+        <translation>這些位元組可以是「%2」的 %1 個影格，或連同其可選列的 %3 個影格，無法判斷是哪一種；請每個檔案只儲存一個影格</translation>
+    </message>
+    <message>
+        <source>it is a BigTIFF, which is not read; save it as an ordinary TIFF, or as PNG</source>
+        <translation>這是 BigTIFF，不能讀取；請另存為一般 TIFF 或 PNG</translation>
+    </message>
+    <message>
+        <source>case %1 is also in %2, with other bytes: one of the two parts was changed; leave it out, or delete it and run its shard again</source>
+        <translation>案例 %1 在 %2 中也有，但位元組不同：兩個分片檔案之一被更動過；請不要列出它，或刪除它並重新執行其分片</translation>
+    </message>
+    <message>
+        <source>warning limit of &quot;%1&quot;</source>
+        <translation>「%1」的警告限值</translation>
+    </message>
+    <message>
+        <source>trip limit of &quot;%1&quot;</source>
+        <translation>「%1」的跳脫限值</translation>
+    </message>
+    <message>
+        <source>lowest %1</source>
+        <translation>%1 的下限</translation>
+    </message>
+    <message>
+        <source>highest %1</source>
+        <translation>%1 的上限</translation>
+    </message>
+    <message>
+        <source>axis %1</source>
+        <translation>軸 %1</translation>
+    </message>
+    <message>
+        <source>%1/s</source>
+        <translation>%1/s</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s link is there, but the robot has reported or obeyed nothing for %1 s: its controller is busy, blocked or held. The heat is off. Look at the robot and its controller, then reset.</source>
+        <translation>機器人的連線正常，但機器人已有 %1 s 沒有回報或執行任何內容：其控制器正忙、受阻或被停住。加熱已關閉。請查看機器人及其控制器，然後復歸。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is at %2 and warms by %3/s with the heat off; the source explains at most %4/s. Something else heats it, or its sensor has just been put on it. Look at it before it reaches its limits.</source>
+        <translation>「%1」為 %2，在加熱關閉時以 %3/s 升溫；熱源最多能解釋 %4/s。有別的東西在加熱它，或其感測器剛剛裝上。請在它達到限值之前查看。</translation>
     </message>
 </context>
 <context>
@@ -2420,6 +2504,38 @@
     <message>
         <source>it is written to again and again</source>
         <translation>它不斷被寫入</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>theta x</source>
+        <translation>θx</translation>
+    </message>
+    <message>
+        <source>theta y</source>
+        <translation>θy</translation>
+    </message>
+    <message>
+        <source>theta z</source>
+        <translation>θz</translation>
+    </message>
+    <message>
+        <source>fixed</source>
+        <translation>固定</translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation>自由</translation>
     </message>
 </context>
 <context>
@@ -4469,6 +4585,10 @@
         <source>Look at what would be started, and allow it on this computer</source>
         <translation>查看將啟動的內容，並在本電腦上允許</translation>
     </message>
+    <message>
+        <source>The last of them: %1</source>
+        <translation>其中最近一個：%1</translation>
+    </message>
 </context>
 <context>
     <name>bask::DeviceConsole</name>
@@ -6462,24 +6582,12 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>最後設定的目標。其餘數值從該時刻（若未更改過，則從「開始」）算起，到「停止」為止。</translation>
     </message>
     <message>
-        <source>Time between the first crossings of 10 % and of 90 % of the step, which leads from the temperature when the target was set to the target. Not given for steps under twice the band.</source>
-        <translation>首次越過步階的 10 % 與首次越過 90 % 之間的時間；步階從設定目標時的溫度到目標為止。步階小於容差帶兩倍時不給出。</translation>
-    </message>
-    <message>
         <source>How far the temperature went beyond the target in the direction of the step, and as a share of the step. Not given for steps under twice the band.</source>
         <translation>溫度沿步階方向超出目標的量，以及它佔步階的比例。步階小於容差帶兩倍時不給出。</translation>
     </message>
     <message>
-        <source>Length of the path of the object&apos;s centre in the robot&apos;s base, from Start until Stop.</source>
-        <translation>從「開始」到「停止」，物體中心在機器人基座座標系中所走路徑的長度。</translation>
-    </message>
-    <message>
         <source>From Start until Stop.</source>
         <translation>從「開始」到「停止」。</translation>
-    </message>
-    <message>
-        <source>Length of the path of the end-effector&apos;s origin in the robot&apos;s base, from Start until Stop.</source>
-        <translation>從「開始」到「停止」，末端執行器原點在機器人基座座標系中所走路徑的長度。</translation>
     </message>
     <message>
         <source>Sum of the angles by which the end-effector was turned from sample to sample.</source>
@@ -6526,6 +6634,18 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Time until the temperature stays within %1 of the target until Stop. The event &quot;All objects settled&quot; is another and comes later: when all objects have been so near for %2 s by the controller&apos;s estimates, and the robot needs no other place. ± is its standard uncertainty: how far readings that are wrong by theirs move that moment, and the period. Not sure: with such an error it would be outside at the end.</source>
         <translation>直到溫度進入目標的 %1 以內並保持到「停止」為止所需的時間。事件「所有物體均已穩定」是另一回事，並且更晚：依控制器的估計，全部物體已如此接近 %2 s，且機器人無需再去別處。± 為其標準不確定度：讀數偏差為其不確定度時該時刻移動多少，以及週期。「不確定」：有這樣的誤差時，結束時溫度在範圍之外。</translation>
+    </message>
+    <message>
+        <source>Time between the first crossings of 10 % and of 90 % of the step, which leads from the temperature when the target was set to the target. Not given for steps under twice the band. ± is its standard uncertainty: how far wrong readings at the beginning and at both crossings move these.</source>
+        <translation>首次越過步階的 10 % 與首次越過 90 % 之間的時間；步階從設定目標時的溫度到目標為止。步階小於容差帶兩倍時不給出。± 為其標準不確定度：開始時和兩次越過時的讀數誤差使其移動多少。</translation>
+    </message>
+    <message>
+        <source>Length of the path of the object&apos;s centre in the robot&apos;s base, from Start until Stop, by the robot&apos;s reported places, whose uncertainty no device tells.</source>
+        <translation>從「開始」到「停止」，物體中心在機器人基座座標系中所走路徑的長度，按機器人回報的位置計算，沒有裝置給出其不確定度。</translation>
+    </message>
+    <message>
+        <source>Length of the path of the end-effector&apos;s origin in the robot&apos;s base, from Start until Stop, by the robot&apos;s reported places, whose uncertainty no device tells.</source>
+        <translation>從「開始」到「停止」，末端執行器原點在機器人基座座標系中所走路徑的長度，按機器人回報的位置計算，沒有裝置給出其不確定度。</translation>
     </message>
 </context>
 <context>
@@ -7048,8 +7168,12 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>%1 未變</translation>
     </message>
     <message>
-        <source>Age of the newest reading that was believed, how long a sensor has told the same value, or what the thermal camera sees of the object, with twice its standard uncertainty</source>
-        <translation>最近一次被採信的讀數距今多久、感測器的讀數多久未變，或熱像儀所見的該物體的溫度及其兩倍標準不確定度</translation>
+        <source>Camera %1 (part)</source>
+        <translation>熱像儀 %1（部分）</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of the reading, or what the thermal camera sees of the object, with twice its own; of a reading that is not believed its age, or how long the sensor has told the same value. (part): some of the object is outside of the picture</source>
+        <translation>讀數的標準不確定度，或熱像儀所見的物體溫度及其標準不確定度的兩倍；讀數不予採信時，為其時齡，或感測器數值多久未變。（部分）：物體有一部分在影像之外</translation>
     </message>
 </context>
 <context>
@@ -7300,10 +7424,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>不再追蹤熱源：這需要熱源上有標記、相機已校正且其位置已知。</translation>
     </message>
     <message>
-        <source>%1 cannot be opened. Bask opens experiments and rigs (JSON), recorded sessions (BASK) and outlines (SVG, DXF, CSV, pictures).</source>
-        <translation>無法開啟 %1。Bask 可開啟實驗和實驗台（JSON）、記錄的工作階段（BASK）以及輪廓（SVG、DXF、CSV、圖片）。</translation>
-    </message>
-    <message>
         <source>Redone: %1</source>
         <translation>已重做：%1</translation>
     </message>
@@ -7334,6 +7454,11 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Show in folder</source>
         <translation>在資料夾中顯示</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened. Bask opens experiments and rigs (JSON), recorded sessions (BASK) and outlines (%2, pictures).</source>
+        <comment>%2 names of file formats, with commas</comment>
+        <translation>無法開啟 %1。Bask 可開啟實驗和實驗台（JSON）、記錄的工作階段（BASK）以及輪廓（%2、圖片）。</translation>
     </message>
 </context>
 <context>
@@ -9029,8 +9154,21 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>預測</translation>
     </message>
     <message>
-        <source>The run as the simulated rig predicts it from where it starts: dotted behind the traces, dashed in the scene.</source>
-        <translation>模擬實驗台從運轉起始處預測的運轉：在曲線後面為點線，在場景中為虛線。</translation>
+        <source>%1 %2 %</source>
+        <comment>the name of an object, and how much of the source the others hide from it</comment>
+        <translation>%1 %2 %</translation>
+    </message>
+    <message>
+        <source>Shaded: %1</source>
+        <translation>遮擋：%1</translation>
+    </message>
+    <message>
+        <source>How much of the source the other objects hide: %1. The view factors count it.</source>
+        <translation>其他物體遮住熱源的比例：%1。角係數已計入。</translation>
+    </message>
+    <message>
+        <source>The run as the simulated rig predicts it from where it starts: dotted behind the traces, dashed in the scene. Its band: %1 runs with other sensor noise; not material, air or source, which are as the experiment has them. It is kept with the recording.</source>
+        <translation>模擬實驗台從運轉起始處預測的運轉：在曲線後面為點線，在場景中為虛線。其色帶：%1 次感測器雜訊不同的運轉；不涵蓋不同的材料、空氣或熱源，它們取實驗中的值。它與記錄一同保存。</translation>
     </message>
 </context>
 <context>
@@ -9781,6 +9919,28 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>± is the standard uncertainty of a material&apos;s value.</source>
         <translation>± 為材料數值的標準不確定度。</translation>
     </message>
+    <message>
+        <source>none</source>
+        <comment>no simulated fault any more</comment>
+        <translation>無</translation>
+    </message>
+    <message>
+        <source>ended</source>
+        <comment>a simulated fault</comment>
+        <translation>已結束</translation>
+    </message>
+    <message>
+        <source>Speed of the simulation</source>
+        <translation>模擬速度</translation>
+    </message>
+    <message>
+        <source>Temperature of the source, as typed</source>
+        <translation>熱源溫度（手動輸入）</translation>
+    </message>
+    <message>
+        <source>Simulated fault</source>
+        <translation>模擬故障</translation>
+    </message>
 </context>
 <context>
     <name>bask::RunStateChip</name>
@@ -10314,10 +10474,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>所列運轉中出現過哪些警報、多少次、何時</translation>
     </message>
     <message>
-        <source>What each run told at its end. Damage of its file is found when the run is selected (a long one: when it is opened), whether it was altered when it is opened; both are listed until the file changes or Bask is closed.</source>
-        <translation>各次運轉結束時給出的結果。檔案損壞在選取該運轉時發現（較長的運轉在開啟時發現），是否被改動過在開啟時發現；兩者都保留到檔案改變或 Bask 關閉。</translation>
-    </message>
-    <message>
         <source>From Start to Stop, STOP or the engine&apos;s end of the run. What is recorded after it, until all is away or cold, does not count.</source>
         <translation>從「開始」到「停止」、軟體停止或引擎結束運轉為止。此後記錄到一切撤離或冷卻為止的部分不計。</translation>
     </message>
@@ -10328,6 +10484,19 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Draws the selected runs over the one that is open, all from their Start. Without an open one, select several (Ctrl and click): the first of them is opened.</source>
         <translation>將所選的各次運轉疊加到已開啟的運轉上，都從開始時刻對齊。沒有開啟的運轉時，請選取幾次（按住 Ctrl 並按一下）：其中第一個會被開啟。</translation>
+    </message>
+    <message>
+        <source>Not verified: nobody has looked yet whether the recording is as it was made.</source>
+        <translation>未驗證：還沒有人查看此記錄是否與產生時一致。</translation>
+    </message>
+    <message>
+        <source>%1, not verified</source>
+        <comment>an outcome</comment>
+        <translation>%1，未驗證</translation>
+    </message>
+    <message>
+        <source>What each run told at its end; in italics until its recording was verified: a short one while nothing else is to be done, a long one when it is opened. Damage of its file is found when the run is selected, too. All of it is listed until the file changes or Bask is closed.</source>
+        <translation>各次運轉結束時給出的結果；在其記錄得到驗證之前以斜體顯示：較短的在沒有別的事要做時驗證，較長的在開啟時驗證。選取運轉時也會發現其檔案的損壞。這些都保留到檔案改變或 Bask 關閉。</translation>
     </message>
 </context>
 <context>
@@ -10423,6 +10592,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Print</source>
         <translation>列印</translation>
+    </message>
+    <message>
+        <source>The sheet was saved as %1.</source>
+        <translation>列印頁面已儲存為 %1。</translation>
     </message>
 </context>
 <context>
@@ -11024,6 +11197,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <source>Apparent temperature: that of a black body which looks the same. The objects&apos; temperatures have reflections and emittance taken into account.</source>
         <translation>表觀溫度：看起來相同的黑體的溫度。物體的溫度已計入反射和發射率。</translation>
     </message>
+    <message>
+        <source>Left out last: %1</source>
+        <translation>最近略過的：%1</translation>
+    </message>
 </context>
 <context>
     <name>bask::ThermalControls</name>
@@ -11172,6 +11349,14 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <source>Apparent temperatures of all but the 0.5 % at either end.</source>
         <translation>除兩端各 0.5 % 外所有像素的表觀溫度。</translation>
     </message>
+    <message>
+        <source>%1 (part)</source>
+        <translation>%1（部分）</translation>
+    </message>
+    <message>
+        <source>A part of the object is outside of the picture: the reading is that of the rest.</source>
+        <translation>物體有一部分在影像之外：讀數是其餘部分的。</translation>
+    </message>
 </context>
 <context>
     <name>bask::ThermalPanel</name>
@@ -11282,6 +11467,12 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <source>taken at %1</source>
         <translation>拍攝於 %1</translation>
     </message>
+    <message numerus="yes">
+        <source>%n picture(s) left out</source>
+        <translation>
+            <numerusform>略過 %n 幅影像</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bask::TracePlot</name>
@@ -11385,6 +11576,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <translation>
             <numerusform>另有 %n 個未編號</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>predicted; band: other sensor noise only</source>
+        <translation>預測；色帶：僅感測器雜訊不同</translation>
     </message>
 </context>
 <context>
@@ -11646,6 +11841,37 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <message>
         <source>Intact: %1 rows, not sealed, head %2</source>
         <translation>完好：%1 列，未封存，鏈頭 %2</translation>
+    </message>
+    <message>
+        <source>key %1</source>
+        <translation>鍵 %1</translation>
+    </message>
+    <message>
+        <source>view %1</source>
+        <translation>檢視 %1</translation>
+    </message>
+    <message>
+        <source>index %1</source>
+        <comment>of a database</comment>
+        <translation>索引 %1</translation>
+    </message>
+    <message>
+        <source>trigger %1</source>
+        <comment>of a database</comment>
+        <translation>觸發程序 %1</translation>
+    </message>
+    <message>
+        <source>the file&apos;s header</source>
+        <translation>檔案標頭</translation>
+    </message>
+    <message>
+        <source>after %1</source>
+        <comment>a time since Start</comment>
+        <translation>在 %1 之後</translation>
+    </message>
+    <message>
+        <source>Altered: its seal was removed. Tags, and bytes of the file that are in no row, may have been changed.</source>
+        <translation>已改動：封印已被移除。標籤以及檔案中不屬於任何列的位元組可能已被更改。</translation>
     </message>
 </context>
 <context>
