@@ -2,6 +2,7 @@
 
 #include "app/actions.h"
 #include "app/error_text.h"
+#include "engine/shape/outline_formats.h"
 #include "widgets/calibrate/calibrate_page.h"
 #include "widgets/common/countdown_bar.h"
 #include "widgets/common/device_words.h"
@@ -446,8 +447,11 @@ void PageHost::takeFile(const QString& path) {
     if (!ObjectsPage::isReadable(path))
         return showProblem(
             tr("%1 cannot be opened. Bask opens experiments and rigs (JSON), recorded sessions "
-               "(BASK) and outlines (SVG, DXF, CSV, pictures).")
-                .arg(QFileInfo(path).fileName()));
+               "(BASK) and outlines (%2, pictures).",
+               "%2 names of file formats, with commas")
+                .arg(QFileInfo(path).fileName(),
+                     QString::fromStdString(outlineFormatNames(OutlineKind::Drawing) + ", " +
+                                            outlineFormatNames(OutlineKind::List))));
     show(Page::Objects);
     m_objects->offerFile(path);
 }

@@ -382,6 +382,8 @@ TEST_F(UndoTest, DroppedFilesAreOpenedOrRefusedInWords) {
     drop({QStringLiteral("/tmp/paper.pdf")});
     EXPECT_TRUE(said("messageBar").startsWith(QStringLiteral("paper.pdf cannot be opened")))
         << qPrintable(said("messageBar"));
+    EXPECT_TRUE(said("messageBar").contains(QStringLiteral("outlines (SVG, DXF, CSV, pictures)")))
+        << qPrintable(said("messageBar"));
     drop({rigPath, rigPath});
     EXPECT_TRUE(said("messageBar").startsWith(QStringLiteral("Only one file")))
         << qPrintable(said("messageBar"));
