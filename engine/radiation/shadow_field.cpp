@@ -1,7 +1,5 @@
 #include "engine/radiation/shadow_field.h"
 
-#include "engine/radiation/lambert_field.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -56,7 +54,9 @@ ShadowField::ShadowField(const SightScene& scene, std::span<const SightMember> t
     members.insert(members.end(), blockers.begin(), blockers.end());
     m_seen.resize(members.size());
     for (std::size_t i = 0; i < members.size(); ++i) {
-        m_seen[i].figure = &scene.figure(members[i].figure);
+        const SightFigure& figure = scene.figure(members[i].figure);
+        m_seen[i].figure = &figure;
+        m_seen[i].axes << figure.e1, figure.e2, figure.n;
         m_seen[i].side = members[i].side;
         m_seen[i].isTarget = i < m_targets;
     }
@@ -148,11 +148,11 @@ void ShadowField::cutCircles(std::size_t a, std::size_t b) {
         Crossing crossing{a, b, Place(u), Place(u), slopeOf(f, u) > 0.0};
         if (!placeOnB(crossing))
             continue;
-        const auto number = static_cast<int>(m_crossings.size());
+        const auto number = static_cast<int>(m_sight.crossings.size());
         const Eigen::Vector2d& on = crossing.onB.on;
         m_seen[a].circleCuts.push_back({u, angleOrder(u), static_cast<int>(b), number});
         m_seen[b].circleCuts.push_back({on, angleOrder(on), static_cast<int>(a), number});
-        m_crossings.push_back(crossing);
+        m_sight.crossings.push_back(crossing);
     }
 }
 
@@ -211,11 +211,11 @@ void ShadowField::cutCircleByEdges(std::size_t circle, std::size_t straight) {
                 continue;
             const Eigen::Vector2d on =
                 Eigen::Vector2d(a.u + s * (b.u - a.u), a.v + s * (b.v - a.v)) / (radius * w);
-            const auto number = static_cast<int>(m_crossings.size());
+            const auto number = static_cast<int>(m_sight.crossings.size());
             onto.circleCuts.push_back(
                 {on, angleOrder(on), static_cast<int>(straight) + 16 * (edge.run + 1), number});
             own.edgeCuts.push_back({i, s, static_cast<int>(circle), number});
-            m_crossings.push_back({straight, circle, {i, s}, Place(on), half + square * s > 0.0});
+            m_sight.crossings.push_back({straight, circle, {i, s}, Place(on), half + square * s > 0.0});
         }
     };
     for (std::size_t k = 0; k < figure.chains().size(); ++k) {
@@ -281,11 +281,11 @@ void ShadowField::cutEdges(std::size_t a, std::size_t b) {
             const Eigen::Vector2d& end = cornersA[static_cast<std::size_t>(edge.to)];
             if (!isAhead(onto, (from.w + s * (to.w - from.w)) * travel(a, start + s * (end - start))))
                 continue;
-            const auto number = static_cast<int>(m_crossings.size());
+            const auto number = static_cast<int>(m_sight.crossings.size());
             const double t = sideP / (sideP - sideQ);
             own.edgeCuts.push_back({i, s, static_cast<int>(b) + 16 * (crossed.run + 1), number});
             onto.edgeCuts.push_back({j, t, static_cast<int>(a) + 16 * (edge.run + 1), number});
-            m_crossings.push_back({a, b, {i, s}, {j, t}});
+            m_sight.crossings.push_back({a, b, {i, s}, {j, t}});
         }
     };
     for (std::size_t k = 0; k < figure.chains().size(); ++k) {
@@ -349,7 +349,7 @@ void ShadowField::findArcs(std::size_t own, std::uint64_t& pattern) {
         const double turn = seen.h * way > 0.0 ? 1.0 : -1.0; // of the outline about the direction of travel
         pattern = mixed(pattern, key * 4 + (turn > 0.0 ? 1 : 2));
         piece.sign = own < m_targets || m_through ? turn : -turn;
-        m_pieces.push_back(piece);
+        m_sight.pieces.push_back(piece);
     };
     if (cuts.empty()) {
         const Eigen::Vector2d anywhere(1.0, 0.0);
@@ -406,8 +406,8 @@ void ShadowField::findLines(std::size_t own, std::uint64_t& pattern) {
                 note(run);
             }
         note(to ? to->by : -1);
-        m_pieces.push_back({own, own < m_targets || m_through ? turn : -turn, from ? from->crossing : -1,
-                            to ? to->crossing : -1, first, last, 0.0});
+        m_sight.pieces.push_back({own, own < m_targets || m_through ? turn : -turn,
+                                  from ? from->crossing : -1, to ? to->crossing : -1, first, last, 0.0});
     };
     auto cut = cuts.begin();
     for (int first = 0; first < static_cast<int>(edges.size());) { // a ring
@@ -454,35 +454,35 @@ Eigen::Vector3d ShadowField::smoothField(const Seen& seen, const SightFigure::Ch
 const ShadowField::Place& ShadowField::begin(const Piece& piece) const {
     if (piece.from < 0)
         return piece.first;
-    const Crossing& crossing = m_crossings[static_cast<std::size_t>(piece.from)];
+    const Crossing& crossing = m_sight.crossings[static_cast<std::size_t>(piece.from)];
     return crossing.a == piece.own ? crossing.onA : crossing.onB;
 }
 
 const ShadowField::Place& ShadowField::end(const Piece& piece) const {
     if (piece.to < 0)
         return piece.last;
-    const Crossing& crossing = m_crossings[static_cast<std::size_t>(piece.to)];
+    const Crossing& crossing = m_sight.crossings[static_cast<std::size_t>(piece.to)];
     return crossing.a == piece.own ? crossing.onA : crossing.onB;
 }
 
-Eigen::Vector3d ShadowField::arcField(const Piece& piece) const {
+void ShadowField::addArc(const Piece& piece, LambertBatch& batch, int point, double factor) const {
     const Seen& seen = m_seen[piece.own];
-    const SightFigure& figure = *seen.figure;
-    const ArcField arc(figure.radius(), {seen.x, seen.y, -seen.h});
-    const Eigen::Vector3d local =
-        piece.turn == kWholeTurn ? arc.whole()
-                                 : arc.between(begin(piece).on, end(piece).on, piece.turn > 0.5 * kWholeTurn);
-    return local.x() * figure.e1 + local.y() * figure.e2 + local.z() * figure.n;
+    const bool isWhole = piece.turn == kWholeTurn;
+    const Eigen::Vector2d& from = begin(piece).on;
+    batch.addArc(point, factor, seen.figure->radius(), {seen.x, seen.y, -seen.h}, from,
+                 isWhole ? from : end(piece).on, piece.turn > 0.5 * kWholeTurn, seen.axes);
 }
 
 // Along edges, and along the smooth line where that is far enough; between the two, it goes from the corner
 // to the line or back.
-Eigen::Vector3d ShadowField::lineField(const Piece& piece) const {
+void ShadowField::addLine(const Piece& piece, LambertBatch& batch, int point, double factor) const {
     const Seen& seen = m_seen[piece.own];
     const SightFigure& figure = *seen.figure;
     const Place& first = begin(piece);
     const Place& last = end(piece);
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    const auto straight = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+        batch.addStraight(point, factor, a, b);
+    };
     const auto inS = [&](const Eigen::Vector2d& v) { return Eigen::Vector3d(figure.inS(v) - m_p); };
     const auto corner = [&](int i) { return inS(figure.corners()[static_cast<std::size_t>(i)]); };
     const SightFigure::Chain* line = nullptr; // on which the sum has come here
@@ -499,12 +499,12 @@ Eigen::Vector3d ShadowField::lineField(const Piece& piece) const {
                 here += first.along * (corner(edge.to) - here);
         }
         if (isSmooth && !line)
-            sum += straightField(here, inS(chain.start));
+            straight(here, inS(chain.start));
         if (!isSmooth && line)
-            sum += straightField(inS(line->stop), here);
+            straight(inS(line->stop), here);
         line = isSmooth ? &chain : nullptr;
         if (isSmooth) {
-            sum += smoothField(seen, chain);
+            batch.add(point, factor, smoothField(seen, chain));
             i = chain.end - 1;
             continue;
         }
@@ -513,19 +513,19 @@ Eigen::Vector3d ShadowField::lineField(const Piece& piece) const {
             const Eigen::Vector3d start = corner(edge.from);
             there = start + last.along * (there - start);
         }
-        sum += straightField(here, there);
+        straight(here, there);
         here = there;
     }
     if (line)
-        sum += straightField(inS(line->stop), corner(figure.edges()[static_cast<std::size_t>(last.edge)].to));
-    return sum;
+        straight(inS(line->stop), corner(figure.edges()[static_cast<std::size_t>(last.edge)].to));
 }
 
-Eigen::Vector3d ShadowField::field() const {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const Piece& piece : m_pieces)
-        sum += piece.sign * (piece.first.edge < 0 ? arcField(piece) : lineField(piece));
-    return 0.5 * sum;
+void ShadowField::addField(LambertBatch& batch, int point, double factor) const {
+    for (const Piece& piece : m_sight.pieces)
+        if (piece.first.edge < 0)
+            addArc(piece, batch, point, 0.5 * factor * piece.sign);
+        else
+            addLine(piece, batch, point, 0.5 * factor * piece.sign);
 }
 
 bool ShadowField::followCircles(Crossing& crossing) const {
@@ -613,33 +613,33 @@ bool ShadowField::follow(Crossing& crossing) const {
     return crossing.onB.edge < 0 ? followCircleAndEdge(crossing) : followEdges(crossing);
 }
 
-std::optional<Eigen::Vector3d> ShadowField::fieldNear(const Eigen::Vector3d& p) {
+bool ShadowField::follow(const Eigen::Vector3d& p) {
     lookFrom(p);
-    for (Piece& piece : m_pieces) {
+    for (Crossing& crossing : m_sight.crossings)
+        crossing.isHere = false;
+    for (Piece& piece : m_sight.pieces) {
         for (const int number : {piece.from, piece.to})
-            if (number >= 0 && !m_crossings[static_cast<std::size_t>(number)].isHere) {
-                Crossing& crossing = m_crossings[static_cast<std::size_t>(number)];
+            if (number >= 0 && !m_sight.crossings[static_cast<std::size_t>(number)].isHere) {
+                Crossing& crossing = m_sight.crossings[static_cast<std::size_t>(number)];
                 if (!follow(crossing))
-                    return {};
+                    return false;
                 crossing.isHere = true;
             }
         const Place& first = begin(piece);
         const Place& last = end(piece);
         if (first.edge >= 0) {
             if (first.edge > last.edge || (first.edge == last.edge && first.along > last.along))
-                return {};
+                return false;
         } else if (piece.turn != kWholeTurn) {
             double turn = angleOrder(last.on) - angleOrder(first.on);
             if (turn < 0.0)
                 turn += kWholeTurn;
             if (std::abs(turn - piece.turn) > 1.0)
-                return {};
+                return false;
             piece.turn = turn;
         }
     }
-    for (Crossing& crossing : m_crossings)
-        crossing.isHere = false;
-    return field();
+    return true;
 }
 
 // Whether the spheres around two figures overlap as seen from p.
@@ -689,8 +689,8 @@ void ShadowField::lookFrom(const Eigen::Vector3d& p) {
 
 ShadowLook ShadowField::at(const Eigen::Vector3d& p, bool withField) {
     ShadowLook look;
-    m_crossings.clear();
-    m_pieces.clear();
+    m_sight.crossings.clear();
+    m_sight.pieces.clear();
     lookFrom(p);
     if (!findActive(0.0))
         return look;
@@ -727,8 +727,12 @@ ShadowLook ShadowField::at(const Eigen::Vector3d& p, bool withField) {
         if (!m_seen[own].figure->edges().empty())
             findLines(own, look.pattern);
     }
-    if (withField)
-        look.field = field();
+    if (withField) {
+        LambertBatch batch;
+        addField(batch, 0, 1.0);
+        batch.finish();
+        look.field = batch.field(0);
+    }
     return look;
 }
 

@@ -2,10 +2,10 @@
 // The radiation through a point that goes from the object to the source and meets a blocker, as a vector.
 
 #include "engine/radiation/conic_roots.h"
+#include "engine/radiation/lambert_batch.h"
 #include "engine/radiation/sight_scene.h"
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -28,18 +28,6 @@ struct ShadowLook {
 /// outlines, so the integral of the directions over it is half the sum of the integrals of r x dr / |r|^2
 /// along the pieces, in closed form on straight parts and circles. Not thread-safe.
 class ShadowField {
-public:
-    ShadowField(const SightScene& scene, std::span<const SightMember> targets,
-                std::span<const SightMember> blockers, bool through);
-
-    /// Returns false if the solid angle is empty for every point within `slack_m` of p.
-    bool mayBeSeen(const Eigen::Vector3d& p, double slack_m);
-    ShadowLook at(const Eigen::Vector3d& p, bool withField);
-    /// Returns the field at a point beside the last one, if the same pieces bound the solid angle there: only
-    /// their ends are followed. Empty if that fails; then ask at().
-    std::optional<Eigen::Vector3d> fieldNear(const Eigen::Vector3d& p);
-
-private:
     /// On an outline: on its circle (edge -1) as a unit vector, or on an edge from 0 to 1.
     struct Place {
         int edge = -1;
@@ -56,6 +44,39 @@ private:
         bool rises = false;  ///< of a circle B: its form grows along A
         bool isHere = false; ///< found as seen from the present point
     };
+    /// A part of an outline that bounds the solid angle, between two crossings; where there is none (-1),
+    /// from `first` or to `last`.
+    struct Piece {
+        std::size_t own;
+        double sign;
+        int from, to;
+        Place first, last;
+        double turn; // of an arc, as angleOrder() counts
+    };
+
+public:
+    /// The pieces that bound the solid angle at a point, and where their ends are.
+    struct Sight {
+        std::vector<Crossing> crossings;
+        std::vector<Piece> pieces;
+    };
+
+    ShadowField(const SightScene& scene, std::span<const SightMember> targets,
+                std::span<const SightMember> blockers, bool through);
+
+    /// Returns false if the solid angle is empty for every point within `slack_m` of p.
+    bool mayBeSeen(const Eigen::Vector3d& p, double slack_m);
+    ShadowLook at(const Eigen::Vector3d& p, bool withField);
+    /// Goes on to a point beside the last one where the same pieces bound the solid angle: only their ends
+    /// are followed. Returns false if that fails; then ask at().
+    bool follow(const Eigen::Vector3d& p);
+    /// Adds what is seen from the last point as one of a batch.
+    void addField(LambertBatch& batch, int point, double factor) const;
+    const Sight& sight() const { return m_sight; } ///< at the last point
+    /// Lets follow() go on from a point where this was seen.
+    void resume(const Sight& sight) { m_sight = sight; }
+
+private:
     /// Such a place on one outline.
     struct CircleCut {
         Eigen::Vector2d at; // on the unit circle
@@ -69,15 +90,6 @@ private:
         int by;
         int crossing;
     };
-    /// A part of an outline that bounds the solid angle, between two crossings; where there is none (-1),
-    /// from `first` or to `last`.
-    struct Piece {
-        std::size_t own;
-        double sign;
-        int from, to;
-        Place first, last;
-        double turn; // of an arc, as angleOrder() counts
-    };
     /// A point of another figure's plane, homogeneous: (u / w, v / w).
     struct Image {
         double u, v, w;
@@ -89,6 +101,7 @@ private:
     };
     struct Seen {
         const SightFigure* figure = nullptr;
+        Eigen::Matrix3d axes; // of the figure, in S
         int side = 1;
         bool isTarget = false;
         double x = 0.0, y = 0.0, h = 0.0; // of p in the figure's frame: (x, y, -h)
@@ -125,9 +138,8 @@ private:
     void lookFrom(const Eigen::Vector3d& p);
     const Place& begin(const Piece& piece) const;
     const Place& end(const Piece& piece) const;
-    Eigen::Vector3d field() const;
-    Eigen::Vector3d arcField(const Piece& piece) const;
-    Eigen::Vector3d lineField(const Piece& piece) const;
+    void addArc(const Piece& piece, LambertBatch& batch, int point, double factor) const;
+    void addLine(const Piece& piece, LambertBatch& batch, int point, double factor) const;
     Conic conic(std::size_t a, std::size_t b) const;
     bool placeOnB(Crossing& crossing) const;
     bool follow(Crossing& crossing) const;
@@ -142,8 +154,7 @@ private:
     bool m_through;
     std::vector<const SightScene::Relation*> m_relations;
     std::vector<Image> m_images; // scratch: of the corners of a figure
-    std::vector<Crossing> m_crossings;
-    std::vector<Piece> m_pieces;
+    Sight m_sight;
 
     Eigen::Vector3d m_p = Eigen::Vector3d::Zero();
 };

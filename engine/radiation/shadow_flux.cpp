@@ -136,6 +136,7 @@ struct Panel {
     std::uint64_t pattern = 0;
     bool isFine = false;             ///< of fifteen nodes, not seven
     std::optional<std::size_t> kept; ///< its seven nodes
+    int sights = -1;                 ///< what is seen from its middle, if that is `pattern`
     Sum sum;
     double error = 0.0;      ///< estimated, of the stretch
     double difference = 0.0; ///< of two rules: what the error hardly exceeds
@@ -158,6 +159,7 @@ public:
             m_step_m = step_m;
             m_panels.clear();
             m_kept.clear();
+            m_usedSights = 0;
             for (std::size_t k = 0; k < m_outlines.size(); ++k)
                 for (const Curve& curve : m_outlines[k].curves)
                     addPanels(k, curve);
@@ -314,12 +316,13 @@ private:
         }
     }
 
-    /// What a node adds to the integrals, but for the rule's weight.
+    /// What a node adds to the integrals, but for the rule's weight; the force is at first a step of the
+    /// curve.
     struct Share {
         Vector3d arm = Vector3d::Zero(), force = Vector3d::Zero();
     };
 
-    Share shareAt(const Panel& panel, double u) {
+    Share shareAt(const Panel& panel, double u, LambertBatch& batch, int point) {
         Outline& outline = m_outlines[panel.outline];
         const double length = panel.to - panel.from;
         double slope = 1.0;
@@ -341,25 +344,17 @@ private:
         }
         ++m_points;
         const Vector3d eye = panel.curve->lookout(p, step);
-        Vector3d field = Vector3d::Zero();
-        if (m_follows)
-            for (Outline::Part& part : outline.parts) {
-                const std::optional<Vector3d> followed = part.field.fieldNear(eye);
-                m_follows = m_follows && followed;
-                if (followed)
-                    field += part.sign * *followed;
-            }
+        for (Outline::Part& part : outline.parts)
+            m_follows = m_follows && part.field.follow(eye);
         if (!m_follows) {
-            field.setZero();
             std::uint64_t pattern = 0;
-            for (Outline::Part& part : outline.parts) {
-                const ShadowLook look = part.field.at(eye, true);
-                field += part.sign * look.field;
-                pattern = pattern * 31 + look.pattern;
-            }
+            for (Outline::Part& part : outline.parts)
+                pattern = pattern * 31 + part.field.at(eye, false).pattern;
             m_follows = pattern == panel.pattern;
         }
-        return {p - m_p_SO, step.cross(field) * (length * slope / std::numbers::pi)};
+        for (Outline::Part& part : outline.parts)
+            part.field.addField(batch, point, part.sign);
+        return {p - m_p_SO, step * (length * slope / std::numbers::pi)};
     }
 
     void evaluate(Panel& panel) {
@@ -367,18 +362,36 @@ private:
             panel.isFine ? std::span<const Node>(kFifteen) : std::span<const Node>(kSeven);
         std::array<Share, kFifteen.size()> shares;
         const bool hasSeven = panel.isFine && panel.kept;
-        // From the middle to either end: between changes, what is seen can be followed from node to node.
+        LambertBatch batch;
         const auto fill = [&](std::size_t i) {
             const bool isKnown = hasSeven && i % 2 == 1;
-            shares[i] = isKnown ? m_kept[*panel.kept][i / 2] : shareAt(panel, rule[i].at);
+            shares[i] =
+                isKnown ? m_kept[*panel.kept][i / 2] : shareAt(panel, rule[i].at, batch, static_cast<int>(i));
         };
+        // From the middle to either end: between changes, what is seen can be followed from node to node.
+        Outline& outline = m_outlines[panel.outline];
         const std::size_t middle = rule.size() / 2;
-        m_follows = false;
-        for (std::size_t i = middle + 1; i-- > 0;)
+        if (!hasSeven) {
+            m_follows = false;
+            fill(middle);
+            panel.sights = m_follows ? keepSights(outline) : -1;
+        } else {
+            fill(middle);
+            m_follows = panel.sights >= 0;
+            if (m_follows)
+                resumeSights(outline, panel.sights);
+        }
+        for (std::size_t i = middle; i-- > 0;)
             fill(i);
-        m_follows = false;
+        m_follows = panel.sights >= 0;
+        if (m_follows)
+            resumeSights(outline, panel.sights);
         for (std::size_t i = middle + 1; i < rule.size(); ++i)
             fill(i);
+        batch.finish();
+        for (std::size_t i = 0; i < rule.size(); ++i)
+            if (!hasSeven || i % 2 == 0)
+                shares[i].force = shares[i].force.cross(batch.field(static_cast<int>(i))).eval();
         if (!panel.isFine) {
             panel.kept = m_kept.size();
             std::ranges::copy_n(shares.begin(), kSeven.size(), m_kept.emplace_back().begin());
@@ -402,6 +415,21 @@ private:
             std::max(panel.difference * ratio, 16.0 * std::numeric_limits<double>::epsilon() * size);
     }
 
+    int keepSights(const Outline& outline) {
+        const auto first = static_cast<std::size_t>(m_usedSights);
+        m_usedSights += static_cast<int>(outline.parts.size());
+        if (first + outline.parts.size() > m_sights.size())
+            m_sights.resize(first + outline.parts.size());
+        for (std::size_t i = 0; i < outline.parts.size(); ++i)
+            m_sights[first + i] = outline.parts[i].field.sight();
+        return static_cast<int>(first);
+    }
+
+    void resumeSights(Outline& outline, int first) {
+        for (std::size_t i = 0; i < outline.parts.size(); ++i)
+            outline.parts[i].field.resume(m_sights[static_cast<std::size_t>(first) + i]);
+    }
+
     static constexpr double kCaution = 3.0;
     static constexpr double kMinStep = 1.0 / 1024; // of a curve
 
@@ -414,6 +442,8 @@ private:
     bool m_startFine = false;
     std::vector<Panel> m_panels;
     std::vector<std::array<Share, kSeven.size()>> m_kept;
+    std::vector<ShadowField::Sight> m_sights;
+    int m_usedSights = 0;
     int m_points = 0;
 };
 

@@ -120,6 +120,12 @@ struct Kernels {
     Sums (*loopSums)(const Loop&, const Placement&, const Outline&, bool onCut);
     /// The points at phi of the given cosines and sines; `count` is a multiple of kPadding.
     void (*seriesPoints)(const Series&, const double* cosines, const double* sines, int count, SeriesPoints&);
+    /// Integrals of r x dr / |r|^2 along straight lines; rows: the three coordinates of r at one end, then at
+    /// the other. The first three rows receive them. Rows have room for a multiple of kPadding.
+    void (*straightFields)(double* const* rows, int count);
+    /// The same along arcs of circles, each in the circle's frame; rows: its radius, the three coordinates of
+    /// the point, the unit vectors from which to which it runs, and 1 if by more than half a turn, else 0.
+    void (*arcFields)(double* const* rows, int count);
 
     double diskValue(const WholeDisk& d, const Outline& outline) const {
         return wholeDiskValue(d.radius2, d.o[0], d.o[1], d.o[2], d.k[0], d.k[1], d.k[2], outline);

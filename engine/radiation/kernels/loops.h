@@ -205,6 +205,16 @@ void seriesPoints(const Series& series, const double* cosines, const double* sin
     }
 }
 
+void straightFields(double* const* rows, int count) {
+    for (int i = 0; i < count; i += kLanes)
+        straightField(rows, i);
+}
+
+void arcFields(double* const* rows, int count) {
+    for (int i = 0; i < count; i += kLanes)
+        arcField(rows, i);
+}
+
 constexpr Kernels kernelsNamed(const char* name) {
     return {name,
             wholeDiskValue,
@@ -218,7 +228,9 @@ constexpr Kernels kernelsNamed(const char* name) {
             segmentSums,
             loopValue,
             loopSums,
-            seriesPoints};
+            seriesPoints,
+            straightFields,
+            arcFields};
 }
 
 } // namespace

@@ -218,4 +218,62 @@ BASK_INLINE SeriesSums seriesSums(const Series& series, Lanes c, Lanes s) {
             upSlope1 + downSlope1};
 }
 
+/// Lambert's angle of a straight line as a vector; none for a line through the point.
+BASK_INLINE void straightField(double* const* rows, int i) {
+    const Lanes a1 = load(rows[0] + i), a2 = load(rows[1] + i), a3 = load(rows[2] + i);
+    const Lanes b1 = load(rows[3] + i), b2 = load(rows[4] + i), b3 = load(rows[5] + i);
+    const Lanes c1 = a2 * b3 - a3 * b2;
+    const Lanes c2 = a3 * b1 - a1 * b3;
+    const Lanes c3 = a1 * b2 - a2 * b1;
+    const Lanes length = laneSqrt(c1 * c1 + c2 * c2 + c3 * c3);
+    const Lanes dot = a1 * b1 + a2 * b2 + a3 * b3;
+    const auto aside = length > 1e-15 * laneAbs(dot); // else its direction would be rounding
+    const Lanes scale = select(aside, laneAtan2(length, dot) / length, Lanes{});
+    store(rows[0] + i, scale * c1);
+    store(rows[1] + i, scale * c2);
+    store(rows[2] + i, scale * c3);
+}
+
+/// As in addSegment, about the point's azimuth.
+BASK_INLINE void arcField(double* const* rows, int i) {
+    constexpr double kTurn = 6.28318530717958647692;
+    const Lanes radius = load(rows[0] + i), x = load(rows[1] + i), y = load(rows[2] + i),
+                z = load(rows[3] + i);
+    const Lanes from1 = load(rows[4] + i), from2 = load(rows[5] + i);
+    const Lanes to1 = load(rows[6] + i), to2 = load(rows[7] + i);
+    const Lanes off = x + 1e-140; // on the circle's axis the azimuth is zero
+    const Lanes rho = laneSqrt(off * off + y * y);
+    const Lanes perRho = 1.0 / rho;
+    const Lanes c = off * perRho;
+    const Lanes s = y * perRho;
+    const Lanes z2 = z * z;
+    const Lanes a = rho * rho + z2 + radius * radius;
+    const Lanes b = 2.0 * radius * rho;
+    const Lanes inner = radius - rho, outer = radius + rho;
+    const Lanes root = laneSqrt((inner * inner + z2) * (outer * outer + z2));
+    const Lanes perSum = 1.0 / (a + root);
+    const Lanes perRoot = 1.0 / root;
+    const Lanes kappa = b * perSum;
+    Lanes turn = laneAtan2(from1 * to2 - from2 * to1, from1 * to1 + from2 * to2);
+    // Not where rounding makes a whole turn a little more.
+    turn = select((load(rows[8] + i) > 0.5) & (turn < 1.0), turn + kTurn, turn);
+    const Lanes cos0 = from1 * c + from2 * s, sin0 = from2 * c - from1 * s;
+    const Lanes cos1 = to1 * c + to2 * s, sin1 = to2 * c - to1 * s;
+    const Lanes numerator = sin1 - sin0 + kappa * (sin0 * cos1 - cos0 * sin1);
+    const Lanes denominator = (1.0 - kappa * cos0) * (1.0 - kappa * cos1) + kappa * kappa * (sin0 * sin1);
+    const Lanes swing = laneAtan2(kappa * numerator, denominator) / b;
+    const Lanes near1 = x - radius * from1, near2 = y - radius * from2;
+    const Lanes far1 = x - radius * to1, far2 = y - radius * to2;
+    const LogRatio ratio =
+        logRatio(near1 * near1 + near2 * near2 + z2, far1 * far1 + far2 * far2 + z2, b * (cos0 - cos1));
+    const Lanes sine = select(ratio.comparable, 2.0 * (cos0 - cos1) * ratio.inverse * ratio.p, ratio.log / b);
+    const Lanes cosine = (turn * kappa + 2.0 * a * swing) * perRoot;
+    const Lanes one = (turn + 2.0 * b * swing) * perRoot;
+    const Lanes along = z * radius * cosine;
+    const Lanes across = z * radius * sine;
+    store(rows[0] + i, c * along - s * across);
+    store(rows[1] + i, s * along + c * across);
+    store(rows[2] + i, radius * radius * one - rho * radius * cosine);
+}
+
 } // namespace bask::kernels
