@@ -26,20 +26,32 @@
 namespace bask {
 namespace {
 
-constexpr int kMinWidth = 540; // what is left when all is short fits beside the navigation
+constexpr int kMinWidth = 400; // of two rows when all is short
 /// What gives way, one after the other, until the bar fits.
 enum ShortPart {
     kWithoutSample = 1, ///< beside the operator
     kWithoutCaption,    ///< of the clock, gaps, and all but the initials of the operator
     kWithoutVerbIcons,  ///< the words are left
+    kWithSmallWords,    ///< of the verbs
+    kWithSmallTag,      ///< without its icon; SIMULATED stays a word. Chip and STOP are narrow, too
     kWithoutFirstWords, ///< of Arm, Start and Reset: icons again
     kWithoutVerbWords,  ///< of the others
-    kWithoutTagWord,    ///< SIMULATED
-    kShortParts         ///< the clock
+    kWithoutClock,
+    kInTwoRows, ///< the verbs below, small words again
+    kShortParts ///< icons below
 };
-constexpr int kBarGap = 8;
-constexpr int kOperatorText = 100; // about as wide as the clock with its caption
-constexpr int kAlarmText = 70;     // of the gravest alarm, where the verbs have lost words anyway
+constexpr int kBarGap = 8, kPartGap = 9;  // px between neighbours, and more between parts
+constexpr int kOperatorText = 100;        // about as wide as the clock with its caption
+constexpr int kAlarmText = 70;            // of the gravest alarm, where the verbs have lost words anyway
+constexpr double kTiny = 0.82;            // of the bar's letters
+constexpr int kTagIcon = 18, kTagGap = 6; // px
+constexpr int kTagWord = 76;              // px: a fault's name has some room also under a short word
+constexpr int kVerbHeight = 38, kVerbHeightBelow = 32; // px
+
+QFont scaled(QFont font, double by) {
+    font.setPointSizeF(font.pointSizeF() * by);
+    return font;
+}
 
 } // namespace
 
@@ -49,19 +61,18 @@ StateBar::StateBar(Actions& actions, QWidget* parent)
       m_clockCaption(new QLabel(this)), m_clock(new QLabel(this)), m_untilCold(new ElidedLabel(this)),
       m_operator(new QToolButton(this)), m_alarm(new AlarmButton(this)), m_emergency(new StopButton(this)) {
     setObjectName(QStringLiteral("stateBar"));
-    auto* tag = new QGridLayout(m_tag);
-    tag->setContentsMargins(8, 1, 10, 1); // with the fault it is no higher than the chip
-    tag->setHorizontalSpacing(6);
-    tag->setVerticalSpacing(0);
-    tag->addWidget(m_tagIcon, 0, 0);
-    tag->addWidget(m_tagWord, 0, 1);
-    tag->addWidget(m_faultWord, 1, 0, 1, 2);
+    m_tagGrid = new QGridLayout(m_tag);
+    m_tagGrid->setContentsMargins(8, 1, 10, 1); // with the fault it is no higher than the chip
+    m_tagGrid->setHorizontalSpacing(kTagGap);
+    m_tagGrid->setVerticalSpacing(0);
+    m_tagGrid->addWidget(m_tagIcon, 0, 0);
+    m_tagGrid->addWidget(m_tagWord, 0, 1);
+    m_tagGrid->addWidget(m_faultWord, 1, 0, 1, 2);
     m_tag->setObjectName(QStringLiteral("rigTag"));
+    m_tagWord->setObjectName(QStringLiteral("tagWord"));
     m_faultWord->setObjectName(QStringLiteral("faultWord"));
     m_faultWord->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    QFont tiny = font();
-    tiny.setPointSizeF(font().pointSizeF() * 0.82);
-    m_faultWord->setFont(tiny);
+    m_faultWord->setFont(scaled(font(), kTiny));
     m_faultWord->hide();
 
     m_arm = makeButton(actions.verb(Verb::Arm), "armButton");
@@ -74,31 +85,35 @@ StateBar::StateBar(Actions& actions, QWidget* parent)
         button->installEventFilter(this);
 
     m_clock->setObjectName(QStringLiteral("runClock"));
-    QFont clockFont = font();
-    clockFont.setPointSizeF(font().pointSizeF() * 1.5);
-    m_clock->setFont(clockFont);
-    m_clock->setMinimumWidth(QFontMetrics(clockFont).horizontalAdvance(QStringLiteral("00:00:00")));
+    m_clock->setFont(scaled(font(), 1.5));
+    m_clock->setMinimumWidth(m_clock->fontMetrics().horizontalAdvance(QStringLiteral("00:00:00")));
 
     m_untilCold->setObjectName(QStringLiteral("untilCold"));
     m_untilCold->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    m_untilCold->setFont(tiny);
+    m_untilCold->setFont(scaled(font(), kTiny));
     m_untilCold->hide();
 
     m_operator->setObjectName(QStringLiteral("operatorButton"));
     m_operator->setAutoRaise(true);
-    QFont small = font();
-    small.setPointSizeF(font().pointSizeF() * 0.9);
-    m_operator->setFont(small);
+    m_operator->setFont(scaled(font(), 0.9));
     m_operator->setFocusPolicy(Qt::StrongFocus);
     m_operator->hide();
 
-    auto* row = new QHBoxLayout(this);
-    row->addWidget(m_tag);
-    row->addWidget(m_chip);
-    row->addSpacing(8);
+    m_row = new QHBoxLayout;
+    m_below = new QHBoxLayout;
+    auto* rows = new QVBoxLayout(this);
+    rows->addLayout(m_row);
+    rows->addLayout(m_below);
+    m_row->addWidget(m_tag);
+    m_row->addWidget(m_chip);
+    for (QSpacerItem*& gap : m_gaps)
+        gap = new QSpacerItem(kPartGap, 0, QSizePolicy::Fixed, QSizePolicy::Minimum);
+    m_row->addItem(m_gaps[0]);
+    m_verbs = new QHBoxLayout;
     for (QToolButton* button : {m_arm, m_start, m_hold, m_stop, m_retreat, m_reset})
-        row->addWidget(button);
-    row->addSpacing(12);
+        m_verbs->addWidget(button);
+    m_row->addLayout(m_verbs);
+    m_row->addItem(m_gaps[1]);
     auto* clock = new QGridLayout; // the operator below takes no room from the verbs
     clock->setHorizontalSpacing(6);
     clock->setVerticalSpacing(0);
@@ -106,11 +121,12 @@ StateBar::StateBar(Actions& actions, QWidget* parent)
     clock->addWidget(m_clock, 0, 1);
     clock->addWidget(m_operator, 1, 0, 1, 2, Qt::AlignLeft);
     clock->addWidget(m_untilCold, 1, 0, 1, 2); // in the operator's place
-    row->addLayout(clock);
-    row->addSpacing(8);
-    row->addWidget(m_alarm);
-    row->addStretch(1);
-    row->addWidget(m_emergency);
+    m_row->addLayout(clock);
+    m_row->addItem(m_gaps[2]);
+    m_row->addWidget(m_alarm);
+    m_row->addStretch(1);
+    m_row->addWidget(m_emergency);
+    m_below->addStretch(1);
 
     connect(m_emergency, &StopButton::stopRequested, this, &StateBar::stopRequested);
     connect(m_alarm, &AlarmButton::alarmChosen, this, &StateBar::alarmChosen);
@@ -126,7 +142,7 @@ QToolButton* StateBar::makeButton(QAction* action, const char* name) {
     button->setObjectName(QLatin1String(name));
     button->setDefaultAction(action);
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    button->setMinimumHeight(38);
+    button->setMinimumHeight(kVerbHeight);
     button->setFocusPolicy(Qt::StrongFocus);
     return button;
 }
@@ -182,27 +198,49 @@ void StateBar::fit() {
 
 /// With an alarm, also while there is none.
 int StateBar::roomNeeded(int parts) const {
-    int room = layout()->minimumSize().width();
+    for (QLayout* each : layout()->findChildren<QLayout*>())
+        each->invalidate(); // of a part that has changed Qt tells the outermost alone
+    const QHBoxLayout* const last = m_areTwoRows ? m_below : m_row;
+    int room = last->minimumSize().width();
     if (!m_alarm->isHidden())
-        room -= m_alarm->minimumSizeHint().width() + layout()->spacing();
-    const bool hasAlarmText = parts >= kWithoutFirstWords && parts < kShortParts;
-    return room + layout()->spacing() + m_alarm->widthWithoutText() + (hasAlarmText ? kAlarmText : 0);
+        room -= m_alarm->minimumSizeHint().width() + last->spacing();
+    const bool hasAlarmText = parts >= kWithoutFirstWords && parts < kWithoutClock;
+    room += last->spacing() + m_alarm->widthWithoutText() + (hasAlarmText ? kAlarmText : 0);
+    if (m_areTwoRows)
+        room = std::max(room, m_row->minimumSize().width());
+    const QMargins margins = layout()->contentsMargins();
+    return room + margins.left() + margins.right();
+}
+
+/// What is always in words stays in the upper one.
+void StateBar::setTwoRows(bool areTwo) {
+    if (areTwo == m_areTwoRows)
+        return;
+    m_areTwoRows = areTwo;
+    QHBoxLayout *const from = areTwo ? m_row : m_below, *const to = areTwo ? m_below : m_row;
+    from->removeItem(m_verbs);
+    m_verbs->setParent(nullptr);
+    from->removeWidget(m_alarm);
+    to->insertLayout(areTwo ? 0 : to->indexOf(m_chip) + 2, m_verbs);
+    to->insertWidget(areTwo ? 1 : to->indexOf(m_emergency) - 1, m_alarm);
 }
 
 /// Resume has Hold's place and pushes nothing aside.
 void StateBar::reserveHold() {
     m_hold->setMinimumWidth(0);
+    const auto width = [this](const QString& word) { // as the button reckons
+        return m_hold->fontMetrics().size(Qt::TextShowMnemonic, word).width();
+    };
     int more = 0;
     if (m_hold->toolButtonStyle() != Qt::ToolButtonIconOnly)
         for (const Verb verb : {Verb::Hold, Verb::Resume})
-            more = std::max(more, m_hold->fontMetrics().horizontalAdvance(m_actions.verb(verb)->iconText()) -
-                                      m_hold->fontMetrics().horizontalAdvance(m_hold->text()));
+            more = std::max(more, width(m_actions.verb(verb)->iconText()) - width(m_hold->text()));
     m_hold->setMinimumWidth(m_hold->sizeHint().width() + more);
 }
 
 void StateBar::shorten(int parts) {
     const auto style = [parts](int withoutWords) {
-        if (parts >= withoutWords)
+        if (parts >= withoutWords && parts != kInTwoRows)
             return Qt::ToolButtonIconOnly;
         return parts >= kWithoutVerbIcons ? Qt::ToolButtonTextOnly : Qt::ToolButtonTextBesideIcon;
     };
@@ -210,19 +248,33 @@ void StateBar::shorten(int parts) {
         button->setToolButtonStyle(style(kWithoutFirstWords));
     for (QToolButton* button : {m_hold, m_stop, m_retreat})
         button->setToolButtonStyle(style(kWithoutVerbWords));
-    const int icon = parts < kShortParts ? 20 : 16;
-    for (QToolButton* button : {m_arm, m_start, m_hold, m_stop, m_retreat, m_reset})
+    const int icon = parts < kWithoutClock ? 20 : 16;
+    const QFont words = parts < kWithSmallWords ? font() : scaled(font(), kTiny);
+    for (QToolButton* button : {m_arm, m_start, m_hold, m_stop, m_retreat, m_reset}) {
         button->setIconSize({icon, icon});
+        button->setFont(words);
+        button->setMinimumHeight(parts < kInTwoRows ? kVerbHeight : kVerbHeightBelow);
+    }
     reserveHold();
-    m_tagWord->setVisible(parts < kWithoutTagWord);
-    m_faultWord->setVisible(!m_faults.isEmpty() && parts < kWithoutTagWord);
+    const bool isSmall = parts >= kWithSmallTag;
+    m_tagIcon->setVisible(!isSmall);
+    m_tagGrid->setColumnMinimumWidth(1, parts < kWithSmallWords ? kTagWord : 0);
+    m_tagWord->setFont(isSmall ? scaled(font(), kTiny) : font());
+    m_chip->setCompact(isSmall);
+    m_emergency->setKeyShown(!isSmall);
+    for (QSpacerItem* gap : m_gaps)
+        gap->changeSize(isSmall ? 0 : kPartGap, 0, QSizePolicy::Fixed, QSizePolicy::Minimum);
     m_clockCaption->setVisible(parts < kWithoutCaption);
     const int gap = parts < kWithoutCaption ? kBarGap : kBarGap / 2;
-    layout()->setSpacing(gap);
-    layout()->setContentsMargins(gap + 2, 6, gap + 2, 6);
-    m_chip->setCompact(parts >= kShortParts);
-    m_clock->setVisible(parts < kShortParts);
+    for (QHBoxLayout* row : {m_row, m_below, m_verbs})
+        row->setSpacing(gap);
+    setTwoRows(parts >= kInTwoRows);
+    const int edge = m_areTwoRows ? 2 : 6;
+    layout()->setSpacing(edge);
+    layout()->setContentsMargins(gap + 2, edge, gap + 2, edge);
+    m_clock->setVisible(parts < kWithoutClock);
     m_shortParts = parts;
+    showFault();
     showLabels();
     showUntilCold();
 }
@@ -296,7 +348,7 @@ void StateBar::showLabels() {
     m_operator->setText(text.replace(u'&', QStringLiteral("&&")));
     m_operator->setToolTip(words + u'\n' + tr("Click to change it."));
     m_operator->setAccessibleName(words);
-    m_operator->setVisible(m_shortParts < kShortParts && !words.isEmpty() && m_untilColdTip.isEmpty());
+    m_operator->setVisible(m_shortParts < kWithoutClock && !words.isEmpty() && m_untilColdTip.isEmpty());
 }
 
 void StateBar::showUntilCold() {
@@ -304,7 +356,7 @@ void StateBar::showUntilCold() {
                              ? tr("recorded until cold", "under the clock: the run has ended")
                              : tr("until cold", "the same where there is less room"));
     m_untilCold->setToolTip(m_untilColdTip);
-    m_untilCold->setVisible(m_shortParts < kShortParts && !m_untilColdTip.isEmpty());
+    m_untilCold->setVisible(m_shortParts < kWithoutClock && !m_untilColdTip.isEmpty());
     const QString tip = tr("Time since Start");
     m_clock->setToolTip(m_untilColdTip.isEmpty() ? tip : tip + u'\n' + m_untilColdTip);
 }
@@ -319,7 +371,7 @@ void StateBar::showTag() {
     QPalette tinted = palette();
     tinted.setColor(QPalette::ButtonText, colour);
     m_tagIcon->setPixmap(themedIcon(m_simulated ? QStringLiteral("simulated") : QStringLiteral("run"), tinted)
-                             .pixmap(QSize(18, 18), devicePixelRatio()));
+                             .pixmap(QSize(kTagIcon, kTagIcon), devicePixelRatio()));
     m_tagWord->setText(rigWord(m_simulated));
     QString tip = m_simulated ? tr("The rig is simulated: no device moves or heats.")
                               : tr("The rig is real: Start moves it and opens the heat.");
@@ -328,9 +380,21 @@ void StateBar::showTag() {
             u'\n' + tr("Simulated faults, which Tools > Simulate fault ends:") + u'\n' + m_faults.join(u'\n');
     m_tag->setToolTip(tip);
     m_faultWord->setToolTip(tip);
-    m_faultWord->setText(tr("fault active", "a simulated one; under SIMULATED"));
-    m_faultWord->setVisible(!m_faults.isEmpty() && m_shortParts < kWithoutTagWord);
+    showFault();
     m_tag->setAccessibleName((QStringList(m_tagWord->text()) + m_faults).join(QStringLiteral(", ")));
+}
+
+/// As much of the first one's name as the tag has room for: all are in its tip.
+void StateBar::showFault() {
+    m_faultWord->setVisible(!m_faults.isEmpty());
+    if (m_faults.isEmpty())
+        return;
+    const QString others = m_faults.size() > 1 ? QStringLiteral(" +%1").arg(m_faults.size() - 1) : QString();
+    const int between = m_tagIcon->isHidden() ? 0 : kTagIcon + kTagGap;
+    const int wide = between + std::max(m_tagGrid->columnMinimumWidth(1), m_tagWord->sizeHint().width());
+    const int room = wide - m_faultWord->fontMetrics().horizontalAdvance(others);
+    m_faultWord->setText(m_faultWord->fontMetrics().elidedText(m_faults.front(), Qt::ElideRight, room) +
+                         others);
 }
 
 void StateBar::retranslate() {

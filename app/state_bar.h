@@ -6,7 +6,12 @@
 
 #include <QFrame>
 
+#include <array>
+
+class QGridLayout;
+class QHBoxLayout;
 class QLabel;
+class QSpacerItem;
 class QToolButton;
 
 namespace bask {
@@ -15,13 +20,14 @@ class AlarmButton;
 class RunStateChip;
 class StopButton;
 
-/// Object names: "rigTag" with "faultWord" (only while a simulated fault is active), "runStateChip",
-/// "armButton", "startButton", "holdButton" (Hold or Resume), "stopRunButton", "retreatButton",
-/// "resetButton", "runClock", "alarmButton" (only with alarms), "operatorButton" (only if operator or sample
-/// are known), "stopButton". In a narrow window first the alarm's text, sample and name give way, then the
-/// verbs lose their icons, and from some 1200 px down their words and the tag its own, then clock and
-/// operator disappear: STOP is always complete. The verbs have the same places in every state and with every
-/// alarm.
+/// Object names: "rigTag" with "tagWord" and "faultWord" (only while a simulated fault is active),
+/// "runStateChip", "armButton", "startButton", "holdButton" (Hold or Resume), "stopRunButton",
+/// "retreatButton", "resetButton", "runClock", "alarmButton" (only with alarms), "operatorButton" (only if
+/// operator or sample are known), "stopButton". In a narrow window first the alarm's text, sample and name
+/// give way, then the verbs lose their icons, get smaller letters and, from some 900 px down, lose their
+/// words, then clock and operator disappear; below some 600 px the verbs have a row of their own. SIMULATED
+/// or LIVE, the state and STOP are always there in words. The verbs have the same places in every state and
+/// with every alarm.
 class StateBar : public QFrame {
     Q_OBJECT
 
@@ -55,8 +61,10 @@ private:
     void fit();
     void shorten(int parts);
     int roomNeeded(int parts) const;
+    void setTwoRows(bool areTwo);
     void reserveHold();
     void showTag();
+    void showFault();
     void showLabels();
     void showUntilCold();
     void showChip();
@@ -69,10 +77,14 @@ private:
     int m_shortParts = 0;
     RunState m_state = RunState::Idle;
     std::vector<Message> m_reasons;
-    int m_gravest = 0;        ///< priority of the gravest of them
-    QString m_placeSureAgain; ///< what a reason about the place says; empty before
-    QString m_fitted;         ///< the last content that was fitted, and its width
+    int m_gravest = 0;                      ///< priority of the gravest of them
+    QString m_placeSureAgain;               ///< what a reason about the place says; empty before
+    QString m_fitted;                       ///< the last content that was fitted, and its width
+    QHBoxLayout *m_row, *m_below, *m_verbs; ///< the verbs are in one of the others
+    bool m_areTwoRows = false;
+    std::array<QSpacerItem*, 3> m_gaps{}; ///< between the parts of the row
     QFrame* m_tag;
+    QGridLayout* m_tagGrid;
     QLabel* m_tagIcon;
     QLabel* m_tagWord;
     QLabel* m_faultWord; ///< under the word of the tag, where it takes no room from the verbs
