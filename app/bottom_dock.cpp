@@ -200,8 +200,11 @@ void BottomDock::setTemperatureUnit(TemperatureUnit unit) {
 }
 
 void BottomDock::setReviewing(bool isReviewing) {
-    if (isReviewing && !m_isReviewing)
+    if (isReviewing && !m_isReviewing) {
         m_isBackToEvents = m_tabs->currentWidget() == m_eventList;
+        if (m_isBackToEvents) // else the recipe would come in its place, and with its height
+            m_tabs->setCurrentWidget(m_alarmList);
+    }
     const bool isOver = m_isReviewing && !isReviewing;
     m_isReviewing = isReviewing;
     showParts();

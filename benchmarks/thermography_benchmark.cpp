@@ -161,7 +161,7 @@ void frameOfARig(benchmark::State& state) {
     setup.objects = experiment.objects;
     setup.source = experiment.source.shape;
     setup.geometry = rigGeometry(experiment);
-    setup.sourceEmittance = experiment.source.emittance;
+    setup.reflecting = reflectingRig(experiment);
     setup.environment_K = experiment.environment_K;
     rig.advance(1.0);
     const ThermalProfile profile = rig.thermalCamera()->profile();

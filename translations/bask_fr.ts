@@ -111,7 +111,7 @@
     </message>
     <message>
         <source>Errors</source>
-        <translation>Écarts</translation>
+        <translation>Écart</translation>
     </message>
     <message>
         <source>Measured temperature minus target, within %1; grey: the band.</source>
@@ -2519,15 +2519,15 @@
     </message>
     <message>
         <source>theta x</source>
-        <translation>θx</translation>
+        <translation>thêta x</translation>
     </message>
     <message>
         <source>theta y</source>
-        <translation>θy</translation>
+        <translation>thêta y</translation>
     </message>
     <message>
         <source>theta z</source>
-        <translation>θz</translation>
+        <translation>thêta z</translation>
     </message>
     <message>
         <source>fixed</source>
@@ -10728,11 +10728,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Simulated faults, which Tools &gt; Simulate fault ends:</source>
         <translation>Défauts simulés, auxquels Outils &gt; Simuler un défaut met fin&#xa0;:</translation>
-    </message>
-    <message>
-        <source>fault active</source>
-        <comment>a simulated one; under SIMULATED</comment>
-        <translation>défaut actif</translation>
     </message>
     <message>
         <source>recorded until cold</source>

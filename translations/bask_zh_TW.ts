@@ -2519,15 +2519,15 @@
     </message>
     <message>
         <source>theta x</source>
-        <translation>θx</translation>
+        <translation>θx 軸</translation>
     </message>
     <message>
         <source>theta y</source>
-        <translation>θy</translation>
+        <translation>θy 軸</translation>
     </message>
     <message>
         <source>theta z</source>
-        <translation>θz</translation>
+        <translation>θz 軸</translation>
     </message>
     <message>
         <source>fixed</source>
@@ -10704,11 +10704,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Simulated faults, which Tools &gt; Simulate fault ends:</source>
         <translation>模擬故障，可在「工具 &gt; 模擬故障」中結束：</translation>
-    </message>
-    <message>
-        <source>fault active</source>
-        <comment>a simulated one; under SIMULATED</comment>
-        <translation>有故障</translation>
     </message>
     <message>
         <source>recorded until cold</source>

@@ -27,7 +27,8 @@ Result<Experiment> studyRig(StudyMounting mounting) {
     const auto folder = HiddenFolder::temporary();
     if (!folder)
         return folder.error();
-    const auto copied = copyStudyFiles(QString::fromStdString(folder->path()), {"triangle.json", "line.json"});
+    const auto copied =
+        copyStudyFiles(QString::fromStdString(folder->path()), {"triangle.json", "line.json"});
     if (!copied)
         return copied.error();
     return readExperiment(folder->place(mounting == StudyMounting::Line ? "line.json" : "triangle.json"));

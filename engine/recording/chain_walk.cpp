@@ -9,10 +9,11 @@ namespace bask {
 namespace {
 
 constexpr std::size_t kMaxLinkFaults = 100; // of a chain of which the rest is compared
-constexpr std::array kChained{ChainTable::Schema,   ChainTable::Meta,         ChainTable::Experiment,
-                              ChainTable::Object,   ChainTable::Step,         ChainTable::TargetStep,
-                              ChainTable::Overview, ChainTable::Command,      ChainTable::Event,
-                              ChainTable::Note,     ChainTable::ThermalFrame, ChainTable::Traffic};
+constexpr std::array kChained{ChainTable::Schema,    ChainTable::Meta,         ChainTable::Experiment,
+                              ChainTable::Object,    ChainTable::Step,         ChainTable::TargetStep,
+                              ChainTable::Overview,  ChainTable::Command,      ChainTable::Event,
+                              ChainTable::Note,      ChainTable::ThermalFrame, ChainTable::Traffic,
+                              ChainTable::Prediction};
 static_assert(kChained.size() + 1 == kChainTables);
 
 /// Rows that each table has had in the links so far.

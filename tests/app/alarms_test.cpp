@@ -196,8 +196,13 @@ TEST_F(AlarmsTest, AlarmsAloneAreUnderAReview) {
     ASSERT_NO_FATAL_FAILURE(openAt10Hz());
     auto* dock = find<BottomDock>("eventDock");
     window->pages().show(Page::Review);
-    waitForLayouts();
-    const QRect page = window->pages().geometry();
+    QRect page;
+    ASSERT_TRUE(waitFor([&] { // the first layouts of a window move it
+        const bool isSteady = page == window->pages().geometry();
+        page = window->pages().geometry();
+        waitForLayouts();
+        return isSteady && dock->height() < window->height() / 3;
+    }));
     EXPECT_FALSE(tabs()->isTabVisible(1));
     trigger("robot-alarm");
     EXPECT_TRUE(waitFor([&] { return isInFront() && rows()->topLevelItemCount() > 0; }));

@@ -141,10 +141,10 @@ TEST_F(DetectMarkers, NoneIsANegativeVerdict) {
 
 // Catches: a search of minutes, or one that takes all memory, and a word that does not say what is so.
 TEST_F(DetectMarkers, ACrowdedPictureHasNoScaleAndItIsSaid) {
-    for (const int square : {1, 16}) {
+    for (const int square : {1, 32}) {
         ASSERT_TRUE(chessboard(4000, square).save(path("crowded.png")));
-        const Captured outcome =
-            captured(fitContourCommand, {path("crowded.png"), "--harmonics", "5", "--marker-size", "40"});
+        const Captured outcome = test::captured(
+            fitContourCommand, {path("crowded.png"), "--harmonics", "5", "--marker-size", "40"});
         EXPECT_EQ(outcome.code, kExitBadInput) << square;
         EXPECT_NE(outcome.err.find("too many quadrangles"), std::string::npos) << square << outcome.err;
         EXPECT_EQ(outcome.out, "") << square;

@@ -105,7 +105,8 @@ TEST_F(CutOffRunTest, ARunThatGoesOnOrHasEndedIsNotTold) {
 
     // The mark alone outlived its process: the recording has its end.
     ASSERT_NO_FATAL_FAILURE(killIn(session));
-    auto writer = SessionWriter::create(session.toStdString(), Document::blank(), true);
+    auto writer = SessionWriter::create(session.toStdString(), Document::blank(), true, 0.5,
+                                        SessionWriter::Earlier::Replaced);
     ASSERT_TRUE(writer);
     ASSERT_TRUE((*writer)->finish("stopped"));
     writer->reset();

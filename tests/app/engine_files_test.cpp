@@ -197,7 +197,7 @@ TEST_F(EngineFiles, areNoneOnASharedLine) {
     expectNone("by hand");
     live.send(SetHeat{});
     ASSERT_TRUE(waitFor([&] { return live.last.heat == HeatState::Off; }));
-    live.send(Arm{recording()});
+    live.send(Arm{recording(), true});
     ASSERT_TRUE(reaches(RunState::Armed)) << describe(live.refusal);
     ASSERT_TRUE(waitFor([&] { // its targets are judged first
         if (live.last.state == RunState::Armed)

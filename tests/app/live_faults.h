@@ -167,7 +167,7 @@ protected:
     /// A new run, up to a robot that moves before a hot plate.
     void begin() {
         ASSERT_NO_FATAL_FAILURE(beReady());
-        live.send(Arm{recording()});
+        live.send(Arm{recording(), true});
         ASSERT_TRUE(reaches(RunState::Armed)) << describe(live.refusal);
         ASSERT_TRUE(waitFor([&] { // a busy machine's readings may not be fresh at once
             if (live.last.state == RunState::Armed)

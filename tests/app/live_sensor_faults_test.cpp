@@ -76,7 +76,7 @@ TEST_F(LiveSensorFaults, frozenReadingsHoldTheRun) {
     startBench();
     load(read());
     ASSERT_NO_FATAL_FAILURE(beReady());
-    live.send(Arm{recording()});
+    live.send(Arm{recording(), true});
     live.send(Start{true});
     ASSERT_TRUE(comesInRun([&] { return state().plate_degC > 40.0; })) << reasons();
     const Reaction seen =

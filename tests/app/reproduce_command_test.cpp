@@ -109,7 +109,7 @@ std::vector<ObjectSpec> objectsOf(const std::string& name, const Experiment& exp
 
 Experiment expectedOf(const Row& row) {
     Experiment experiment;
-    experiment.source = {Disk{0.10}, kelvinFromCelsius(row.source_degC), 0.25, SourceModel::Paper, {}};
+    experiment.source = {Disk{0.10}, kelvinFromCelsius(row.source_degC), 0.25, 0.01, SourceModel::Paper, {}};
     experiment.environment_K = kelvinFromCelsius(25.0);
     experiment.objects = objectsOf(row.name, experiment);
     for (std::size_t i = 0; i < row.targets_degC.size(); ++i)

@@ -102,7 +102,7 @@ protected:
         ASSERT_TRUE(waitFor([&] {
             if (live.last.state != RunState::Armed) {
                 beReady();
-                live.send(Arm{recording()});
+                live.send(Arm{recording(), true});
             }
             if (live.refusal.code != MessageCode::None || !reaches(RunState::Armed))
                 return false; // a robot that has just been homed stands still first

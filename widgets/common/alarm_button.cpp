@@ -38,7 +38,7 @@ void AlarmButton::setAlarms(const std::vector<Alarm>& alarms) {
     if (groups == m_groups)
         return;
     m_groups = std::move(groups);
-    m_shown = gravest(m_groups);
+    m_shown = callingFirst(m_groups);
     retranslateUi();
     setVisible(m_shown != nullptr);
 }

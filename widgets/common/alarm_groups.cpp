@@ -23,6 +23,16 @@ const AlarmGroup* gravest(const AlarmGroups& groups) {
     return found == groups.present.end() ? nullptr : &*found;
 }
 
+const AlarmGroup* callingFirst(const AlarmGroups& groups) {
+    const AlarmGroup* const first = gravest(groups);
+    if (first == nullptr || first->isCalling())
+        return first;
+    const auto calling = std::ranges::find_if(groups.present, [first](const AlarmGroup& group) {
+        return group.isCalling() && group.alarm.priority == first->alarm.priority;
+    });
+    return calling == groups.present.end() ? first : &*calling;
+}
+
 AlarmGroups groupAlarms(const std::vector<Alarm>& alarms) {
     std::vector<std::size_t> roots(alarms.size());
     for (std::size_t i = 0; i < alarms.size(); ++i)

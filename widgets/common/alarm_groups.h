@@ -26,6 +26,8 @@ struct AlarmGroups {
 /// Returns the present group that comes first for a reader: active, then by priority, then the first raised;
 /// null if there is none.
 const AlarmGroup* gravest(const AlarmGroups& groups);
+/// Returns the same, or the first of its priority that nobody has seen: what calls is what is told.
+const AlarmGroup* callingFirst(const AlarmGroups& groups);
 
 /// An alarm whose cause is not in the list counts as a cause, and so does one that stands by itself beside it
 /// (standsByItself()): the words of a cause that is over are not of now, and one that was seen calls nobody.

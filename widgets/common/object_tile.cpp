@@ -307,10 +307,10 @@ ShownObject ObjectTile::shown() const {
 void ObjectTile::takeUncertainty() {
     constexpr double kSteady = 0.15;
     const double u = displayDifference(m_sensor.uncertainty_K, m_unit);
-    if (std::abs(u - m_told_u) <= kSteady * m_told_u)
-        return;
-    m_told_u = u;
-    m_decimals = decimalsOf(2.0 * u, 2.0 * u < kNoTenths ? 1 : 0).value_or(1); // as of formatReading()
+    if (!(std::abs(u - m_told_u) <= kSteady * m_told_u)) {
+        m_told_u = u;
+        m_decimals = decimalsOf(2.0 * u, 2.0 * u < kNoTenths ? 1 : 0).value_or(1); // as of formatReading()
+    }
     const QString widest = formatTemperatureNumber(0.0, TemperatureUnit::Kelvin, m_decimals);
     m_temperature->setMinimumWidth(
         m_temperature->fontMetrics().horizontalAdvance(QStringLiteral("00%1\u00a0\u00b0C").arg(widest)));
@@ -419,10 +419,10 @@ void ObjectTile::retranslateUi() {
     m_rateCaption->setText(tr("Rate"));
     m_rateCaption->setToolTip(tr("Mean of the last 10 s"));
     setAccessibleName(nameWords(m_name));
-    m_age->setToolTip(
-        tr("Standard uncertainty of the reading, or what the thermal camera sees of the object, with twice its "
-           "own; of a reading that is not believed its age, or how long the sensor has told the same value. "
-           "(part): some of the object is outside of the picture"));
+    m_age->setToolTip(tr(
+        "Standard uncertainty of the reading, or what the thermal camera sees of the object, with twice its "
+        "own; of a reading that is not believed its age, or how long the sensor has told the same value. "
+        "(part): some of the object is outside of the picture"));
     m_confirm->setText(tr("Confirm"));
     m_confirm->setAccessibleName(tr("Confirm the sensor of %1").arg(m_name));
     m_confirm->setToolTip(

@@ -52,7 +52,7 @@ TEST(Examples, AllAreReadAndValid) {
 TEST(Examples, ThreeObjectsAreTheCommonScenario) {
     const Experiment e = example("three-objects.json");
     ASSERT_EQ(e.objects.size(), 3u);
-    EXPECT_EQ(e.source, (SourceSpec{Disk{0.1}, 473.15, 0.25, SourceModel::Gray}));
+    EXPECT_EQ(e.source, (SourceSpec{Disk{0.1}, 473.15, 0.25, 0.01, SourceModel::Gray}));
     EXPECT_EQ(e.environment_K, 298.15);
     RobotLimits limits;
     limits.maxAcceleration_m_s2 = 0.3; // that of a stepping robot

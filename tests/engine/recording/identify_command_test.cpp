@@ -35,6 +35,7 @@ Experiment threeObjects() {
 void record(const Experiment& experiment, const QString& session) {
     SimulatedRunOptions options;
     options.sessionPath = session.toStdString();
+    options.mayReplace = true;
     const auto outcome = runSimulated(experiment, options);
     ASSERT_TRUE(outcome) << describe(outcome.error());
 }

@@ -42,7 +42,7 @@ struct RecordedPrediction : testing::Test {
     Experiment experiment = test::twoDisks();
 
     void record(const std::vector<PredictedRun>& runs) {
-        auto writer = SessionWriter::create(path, experiment, true);
+        auto writer = SessionWriter::create(path, experiment, true, 0.5, SessionWriter::Earlier::Replaced);
         ASSERT_TRUE(writer) << describe(writer.error());
         for (int k = 0; k < 12; ++k) {
             ASSERT_TRUE((*writer)->add(test::madeUpSample(experiment, k)));

@@ -33,7 +33,8 @@ protected:
     /// A run with rows in every table.
     void record(const std::string& to, bool isFinished = true) const {
         Experiment experiment = twoDisks();
-        const auto writer = SessionWriter::create(to, experiment, true, 0.01);
+        const auto writer =
+            SessionWriter::create(to, experiment, true, 0.01, SessionWriter::Earlier::Replaced);
         ASSERT_TRUE(writer) << describe(writer.error());
         for (int k = 0; k < kSamples; ++k) {
             ASSERT_TRUE((*writer)->add(madeUpSample(experiment, k)));

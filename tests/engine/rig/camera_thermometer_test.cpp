@@ -494,6 +494,7 @@ TEST(CameraThermometer, ShowsWhatItsCameraLeftOut) {
     setup.camera = believedThermalCamera(experiment, true)->lens;
     setup.objects = experiment.objects;
     setup.geometry = rigGeometry(experiment);
+    setup.reflecting = reflectingRig(experiment);
     CameraThermometer thermometer(setup, camera, bench.rig.robot(), bench.rig.heatSource(),
                                   bench.rig.clock());
     const auto view = thermometer.view();

