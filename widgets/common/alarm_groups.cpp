@@ -47,7 +47,8 @@ AlarmGroups groupAlarms(const std::vector<Alarm>& alarms) {
                 group.consequences.push_back(alarms[k]);
         (alarms[i].shelvedUntil_s > 0.0 ? groups.shelved : groups.present).push_back(std::move(group));
     }
-    std::ranges::stable_partition(groups.present, &AlarmGroup::isActive);
+    std::stable_partition(groups.present.begin(), groups.present.end(), // clang 14 has no other
+                          [](const AlarmGroup& group) { return group.isActive(); });
     return groups;
 }
 
