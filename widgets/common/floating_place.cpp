@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <ranges>
 
 namespace bask {
 namespace {
@@ -169,9 +170,10 @@ QRect FloatingPlace::freePlace(const QRect& wanted, const std::vector<QRect>& ot
 
 /// The first is the last to be covered.
 void FloatingPlace::raiseInOrder() {
-    for (auto bar = m_bars.rbegin(); bar != m_bars.rend(); ++bar)
-        if (*bar && !(*bar)->isHidden())
-            (*bar)->raise();
+    std::for_each(m_bars.rbegin(), m_bars.rend(), [](const auto& bar) {
+        if (bar && !bar->isHidden())
+            bar->raise();
+    });
 }
 
 } // namespace bask

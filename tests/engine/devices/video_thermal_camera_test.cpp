@@ -209,7 +209,7 @@ private:
 /// A live camera that sends frames of nothing.
 class BadSource final : public ThermalFrameSource {
 public:
-    BadSource(std::shared_ptr<std::atomic<int>> opened, std::shared_ptr<std::atomic<bool>> isBad)
+    BadSource(const std::shared_ptr<std::atomic<int>>& opened, std::shared_ptr<std::atomic<bool>> isBad)
         : m_isBad(std::move(isBad)) {
         ++*opened;
     }

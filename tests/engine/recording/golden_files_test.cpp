@@ -253,7 +253,7 @@ std::string nexusOf(const std::string& path) {
 TEST(GoldenFiles, ExamplesAreWrittenAsTheyWere) {
     int examples = 0;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(BASK_EXAMPLES)) {
-        const std::filesystem::path path = entry.path();
+        const std::filesystem::path& path = entry.path();
         const std::string name = std::filesystem::relative(path, BASK_EXAMPLES).string();
         if (path.extension() != ".json" || name == "paper/expected.json" || name.starts_with("recipes"))
             continue;

@@ -571,7 +571,7 @@ TEST_F(SessionVerify, blamesTheChainForAChangeOfTheChain) {
         EXPECT_TRUE(QFile::copy(QString::fromStdString(path()), QString::fromStdString(path("b.bask"))));
         tamper(path("b.bask"), sql);
         SCOPED_TRACE(sql);
-        const SessionFinding finding = onlyFinding(path("b.bask"));
+        SessionFinding finding = onlyFinding(path("b.bask"));
         EXPECT_EQ(finding.table, "chain");
         return finding;
     };
@@ -762,6 +762,7 @@ TEST_F(SessionVerify, whatNoRunRecordsIsNotOpenedInAFileOfVersion1) {
           "UPDATE pose SET qw = 0, qx = 0, qy = 0, qz = 0 WHERE rowid = 5",
           "UPDATE source_pose SET qw = 0, qx = 0, qy = 0, qz = 0 WHERE rowid = 5",
           "UPDATE pose SET z_m = NULL WHERE rowid = 5",
+          // NOLINTNEXTLINE(bugprone-suspicious-missing-comma): one text
           "UPDATE pose SET time_s = 0; UPDATE sample SET time_s = 0; UPDATE object_state SET time_s = 0; "
           "UPDATE truth SET time_s = 0; UPDATE motion SET time_s = 0; UPDATE source SET time_s = 0; "
           "UPDATE source_pose SET time_s = 0"}) {
