@@ -9,12 +9,6 @@ namespace bask {
 namespace {
 
 constexpr std::size_t kMaxLinkFaults = 100; // of a chain of which the rest is compared
-constexpr std::array kChained{ChainTable::Schema,    ChainTable::Meta,         ChainTable::Experiment,
-                              ChainTable::Object,    ChainTable::Step,         ChainTable::TargetStep,
-                              ChainTable::Overview,  ChainTable::Command,      ChainTable::Event,
-                              ChainTable::Note,      ChainTable::ThermalFrame, ChainTable::Traffic,
-                              ChainTable::Prediction};
-static_assert(kChained.size() + 1 == kChainTables);
 
 /// Rows that each table has had in the links so far.
 using RowCounts = std::array<std::size_t, kChainTables>;
@@ -35,7 +29,7 @@ class ChainWalker {
 public:
     ChainWalker(const std::vector<FileLink>& links, const FileTables& tables)
         : m_links(links), m_tables(tables) {
-        for (const ChainTable table : kChained)
+        for (const ChainTable table : kChainedTables)
             if (isUnordered(table))
                 claimRows(table);
     }
@@ -154,7 +148,7 @@ private:
                 link.rows[k].check = checkOf(digestOf(*found.rows[k]));
             return true;
         }
-        for (const ChainTable table : kChained) { // another table
+        for (const ChainTable table : kChainedTables) { // another table
             ChainLink other = link;
             other.rows[found.firstStranger].table = table;
             LinkRows rows = rowsOf(other);
@@ -217,7 +211,7 @@ private:
         m_before.clear();
         const auto index = static_cast<std::uint32_t>(m_out.times_s.size());
         m_out.times_s.push_back(m_out.times_s.empty() ? NAN : m_out.times_s.back());
-        for (const ChainTable table : kChained) {
+        for (const ChainTable table : kChainedTables) {
             if (isUnordered(table))
                 continue;
             const std::size_t unknown = unknownUntil(nextCheck(next, table), table);

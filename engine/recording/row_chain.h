@@ -33,6 +33,13 @@ enum class ChainTable : unsigned char {
     Prediction
 };
 inline constexpr int kChainTables = static_cast<int>(ChainTable::Prediction) + 1;
+/// All of them, by their numbers.
+inline constexpr auto kChainedTables = [] {
+    std::array<ChainTable, kChainTables - 1> all{};
+    for (int k = 1; k < kChainTables; ++k)
+        all[static_cast<std::size_t>(k - 1)] = static_cast<ChainTable>(k);
+    return all;
+}();
 
 constexpr std::size_t tableIndex(ChainTable table) {
     return static_cast<std::size_t>(table);

@@ -1,6 +1,7 @@
 #include "engine/recording/session_names.h"
 
 #include "engine/model/trace_sample.h"
+#include "engine/recording/recorded_prediction.h"
 #include "engine/recording/row_chain.h"
 #include "engine/recording/session_seal.h"
 
@@ -15,7 +16,7 @@ bool NamesInSession::has(const std::string& name) const {
 }
 
 NamesInSession namesOfTables() {
-    NamesInSession names{{"pose", "source_pose"}, {"thermal_frame", "camera", "traffic"}};
+    NamesInSession names{{"pose", "source_pose"}, {"thermal_frame", "camera", "traffic", "prediction"}};
     for (const auto table : {ChainTable::Meta, ChainTable::Experiment, ChainTable::Object, ChainTable::Step,
                              ChainTable::TargetStep, ChainTable::Overview, ChainTable::Command,
                              ChainTable::Event, ChainTable::Note})
@@ -27,14 +28,12 @@ NamesInSession namesOfTables() {
 }
 
 NamesInSession namesOfFacts() {
-    return {{"software", "created", "simulated", "outcome", "finished"}, {"operator", "sample", "batch"}};
+    return {{"software", "created", "simulated", "outcome", "finished"},
+            {"operator", "sample", "batch", kPredictedEndKey}};
 }
 
 bool isTableName(const std::string& name) {
-    for (int k = 1; k < kChainTables; ++k)
-        if (name == tableName(static_cast<ChainTable>(k)))
-            return true;
-    return false;
+    return std::ranges::any_of(kChainedTables, [&](ChainTable table) { return name == tableName(table); });
 }
 
 /// Seal and chain came together, the column of the operator just after.

@@ -94,6 +94,23 @@ TEST_F(RecordedPrediction, IsReadAsItWasAndIsInTheChain) {
     EXPECT_EQ(verdict->findings[0].row, 60);
 }
 
+// Catches a prediction that was taken out of a recording and is not named.
+TEST_F(RecordedPrediction, IsNamedWhereItWasTakenOut) {
+    record({predicted(2, true)});
+    execute(QStringLiteral("DROP TABLE prediction"));
+    const auto names = [this] {
+        std::string all;
+        const auto verdict = verifySession(path);
+        for (const SessionFinding& finding : verdict->findings)
+            all += finding.name + ' ';
+        return all;
+    };
+    EXPECT_NE(names().find("prediction"), std::string::npos) << names();
+    record({predicted(2, true)});
+    execute(QStringLiteral("DELETE FROM meta WHERE key = 'prediction'"));
+    EXPECT_NE(names().find("prediction"), std::string::npos) << names();
+}
+
 // Catches: words of a prediction that settles for one that does not.
 TEST_F(RecordedPrediction, KeepsHowItEnds) {
     for (const PredictedEnd end :
