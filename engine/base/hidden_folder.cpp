@@ -159,10 +159,10 @@ Result<HiddenFolder> HiddenFolder::temporary() {
 }
 
 std::string behindLinks(const std::string& path) {
-    constexpr int kMost = 40; // as the system has it
+    constexpr int kMaxLinks = 40; // as the system has it
     fs::path place(path);
     std::error_code failed;
-    for (int k = 0; k < kMost && fs::is_symlink(fs::symlink_status(place, failed)); ++k) {
+    for (int k = 0; k < kMaxLinks && fs::is_symlink(fs::symlink_status(place, failed)); ++k) {
         const fs::path to = fs::read_symlink(place, failed);
         if (failed)
             break;

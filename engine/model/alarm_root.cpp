@@ -1,5 +1,7 @@
 #include "engine/model/alarm_root.h"
 
+#include <algorithm>
+
 namespace bask {
 
 bool standsByItself(const Alarm& alarm, const Alarm& cause) {

@@ -14,9 +14,9 @@ constexpr double kSourceTolerance = 1e-6; // of a view factor
 // Standard uncertainties of view factors: of the source's by its pose and the robot's, of a neighbour's by
 // half a millimetre of its mounting at a distance of a centimetre.
 constexpr double kSourceView = 0.005, kNeighbourView = 0.05;
-constexpr double kLeastView = 1e-6; // of a neighbour that counts
-constexpr int kBounces = 30; // between objects; each is weaker by the view factor times the reflectance
-constexpr double kLeastGlow = 1e-12; // radiance above the room's, of a source that is seen
+constexpr double kMinView = 1e-6;  // of a neighbour that counts
+constexpr int kBounces = 30;       // between objects; each is weaker by the view factor times the reflectance
+constexpr double kMinGlow = 1e-12; // radiance above the room's, of a source that is seen
 
 } // namespace
 
@@ -67,7 +67,7 @@ FaceReflections::Glow FaceReflections::glowAt(const ReflectionMoment& moment) {
         glow.surface.T_K = std::max(glow.surface.T_K, point.at_K(source_K, moment.room.T_K));
     const double unit =
         glow.surface.emittance * (m_band->radiance(glow.surface.T_K) - m_band->radiance(moment.room.T_K));
-    glow.isSeen = unit > kLeastGlow;
+    glow.isSeen = unit > kMinGlow;
     if (!glow.isSeen)
         return glow;
     const auto factors = [&](double at_K) {
@@ -132,7 +132,7 @@ void FaceReflections::addNeighbours(const ReflectionMoment& moment, std::vector<
         for (Eigen::Index k = 0; k < count; ++k) {
             const double F = share * m_F(f, k);
             const double T_K = m_band->temperature(room + leaving[k]);
-            if (F < kLeastView || !std::isfinite(T_K))
+            if (F < kMinView || !std::isfinite(T_K))
                 continue;
             const std::size_t object = static_cast<std::size_t>(k) % N;
             const KnownTemperature& known = moment.objects[object];

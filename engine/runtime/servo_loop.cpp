@@ -107,7 +107,7 @@ std::string quoted(const std::string& text) {
 void ServoLoop::setOperator(const std::string& name) {
     const bool isNew = name != m_operator;
     m_operator = name;
-    if (isNew && (isArmedOrOn() || m_isCooling))
+    if (isNew && isRecorded())
         command("operator", "{\"name\":" + quoted(name) + "}");
 }
 
@@ -132,7 +132,7 @@ void ServoLoop::reportFault(SimulatedFault simulated, std::size_t object) {
 }
 
 void ServoLoop::reportFaultAsked(SimulatedFault simulated, std::size_t object, bool isOn) {
-    if (!isArmedOrOn() && !m_isCooling)
+    if (!isRecorded())
         return;
     std::string value = "{\"fault\":" + quoted(simulatedFaultName(simulated));
     if (isOfObject(simulated) && object < m_experiment.objects.size())
@@ -141,12 +141,12 @@ void ServoLoop::reportFaultAsked(SimulatedFault simulated, std::size_t object, b
 }
 
 void ServoLoop::reportSpeedAsked(double factor) {
-    if (isArmedOrOn() || m_isCooling)
+    if (isRecorded())
         command("speed", "{\"factor\":" + formatNumber(factor, 6) + "}");
 }
 
 void ServoLoop::reportSourceTyped(double temperature_K) {
-    if (isArmedOrOn() || m_isCooling)
+    if (isRecorded())
         command("source-temperature", "{\"temperature_K\":" + formatNumber(temperature_K, 10) + "}");
 }
 

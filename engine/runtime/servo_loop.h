@@ -149,6 +149,8 @@ public:
     /// after the run. What is not known is not cold.
     bool isCooling() const { return m_isCooling; }
     void endCooling() { m_isCooling = false; }
+    /// Whether what happens now belongs to a run.
+    bool isRecorded() const { return isArmedOrOn() || m_isCooling; }
     bool areObjectsCold() const; ///< and nothing heats them, whatever the source is
     void setRecordEnd(RecordEnd end) { m_recordEnd = end; }
     double runTime_s() const;
