@@ -22,17 +22,16 @@ DRAWING_HEADERS = {"widgets/common/language.h", "widgets/calibrate/board_sheet.h
 # Names of messages, from their tables.
 MADE_BY_THE_BUILD = {"engine/base/message_names.inc", "engine/base/condition_names.inc"}
 
-# QtCore and QtSql, which the engine may use where QT_IN_ENGINE allows it. Everything else of Qt is refused there.
-QT_CORE_AND_SQL = set("""
+# QtCore, which the engine may use where QT_IN_ENGINE allows it. Everything else of Qt is refused there.
+QT_CORE = set("""
 QAbstractEventDispatcher QAtomicInt QAtomicInteger QByteArray QChar QCoreApplication QCryptographicHash QDate QDateTime
 QDeadlineTimer QDebug QDir QElapsedTimer QEvent QEventLoop QFile QFileDevice QFileInfo QFlags QGlobalStatic QHash
 QIODevice QList QLocale QLockFile QMap QMetaObject QMetaType QMutex QMutexLocker QObject QPair QPointer QRegularExpression
 QSaveFile QScopeGuard QScopedPointer QSemaphore QSet QSharedPointer QStandardPaths QString QStringBuilder QStringList
 QStringView QSysInfo QTemporaryDir QTemporaryFile QTextStream QThread QThreadPool QTime QTimeZone QTimer QUrl QUuid QVariant QVariantList
 QVariantMap QVector QWaitCondition QWeakPointer QtGlobal QtNumeric
-QSqlDatabase QSqlDriver QSqlError QSqlField QSqlIndex QSqlQuery QSqlRecord QSqlResult
 """.split())
-QT_MODULES_IN_ENGINE = {"QtCore", "QtSql"}
+QT_MODULES_IN_ENGINE = {"QtCore"}
 # What the SVG reader of engine/shape uses besides: QtSvg paints into a paint engine of its own.
 QT_SVG = set("""
 QPaintDevice QPaintEngine QPainter QPainterPath QStringConverter QSvgRenderer QXmlStreamReader QXmlStreamWriter
@@ -71,7 +70,7 @@ OPENCV_INSIDE = {"engine/media/media.h"}
 
 
 def qt_in_engine(path):
-    """The recordings' sources (SQLite), runtime's worker, the real rig and shape's SVG reader are the engine's Qt users."""
+    """The recordings' sources, runtime's worker, the real rig and shape's SVG reader are the engine's Qt users."""
     name = path.name
     if is_svg_source(path) or path.as_posix() == "engine/base/translated.h":  # a macro's name, without Qt
         return True
@@ -212,6 +211,12 @@ class Checker:
         elif target == "png.h":
             if path.as_posix() != "engine/media/plain_png.cpp":
                 self.report(path, line, "png", f"{name}: libpng only in engine/media/plain_png.cpp")
+        elif target == "sqlite3.h":
+            if path.as_posix() != "engine/recording/session_store.cpp":
+                self.report(path, line, "sqlite", f"{name}: SQLite only in engine/recording/session_store.cpp")
+        elif target.startswith("openssl/"):
+            if path.as_posix() != "engine/recording/sha256.cpp":
+                self.report(path, line, "openssl", f"{name}: OpenSSL only in engine/recording/sha256.cpp")
         elif target == "mosquitto.h":
             if path.as_posix() != "engine/monitor/mqtt_module.cpp":
                 self.report(path, line, "mosquitto", f"{name}: libmosquitto only in bask-mqtt.so")
@@ -246,10 +251,10 @@ class Checker:
                                           "shape's svg_*.cpp and runtime's worker")
             return
         module, _, name = target.rpartition("/")
-        known = QT_CORE_AND_SQL | QT_MODULES_IN_ENGINE | (QT_SVG if is_svg_source(path) else set())
+        known = QT_CORE | QT_MODULES_IN_ENGINE | (QT_SVG if is_svg_source(path) else set())
         known |= QT_LINKS if is_link_source(path) else set()
         if (module and module not in QT_MODULES_IN_ENGINE) or name not in known:
-            self.report(path, line, "qt", f"<{target}>: the engine uses QtCore and QtSql only")
+            self.report(path, line, "qt", f"<{target}>: the engine uses QtCore only")
 
     def check_engine_line(self, path, line, text):
         if path.suffix not in HEADER_SUFFIXES:

@@ -10,13 +10,13 @@ set -eu
 
 run_packages="
     g++ cmake ninja-build pkg-config
-    libeigen3-dev nlohmann-json3-dev libopencv-dev libvtk9-dev libqcustomplot-dev libdxflib-dev libceres-dev libhdf5-dev libmosquitto-dev zlib1g-dev libpng-dev
-    qt6-base-dev libqt6opengl6-dev? qt6-svg-dev|libqt6svg6-dev libqt6sql6-sqlite
+    libeigen3-dev nlohmann-json3-dev libopencv-dev libvtk9-dev libqcustomplot-dev libdxflib-dev libceres-dev libhdf5-dev libmosquitto-dev zlib1g-dev libpng-dev libsqlite3-dev libssl-dev
+    qt6-base-dev libqt6opengl6-dev? qt6-svg-dev|libqt6svg6-dev
     qt6-serialport-dev|libqt6serialport6-dev
     qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-translations-l10n
     libgl-dev libgl1-mesa-dri fonts-dejavu-core"
 test_packages="
-    libgtest-dev libbenchmark-dev socat mbpoll libmodbus-dev mosquitto mosquitto-clients openssl python3-pymodbus python3-serial-asyncio|python3-serial python3-h5py python3-pil python3-pyatspi at-spi2-core dbus-daemon ccache python3 git xvfb xauth fonts-noto-cjk? doxygen clang-format-14? clang-tidy-14? clang? libclang-rt-dev?
+    libgtest-dev libbenchmark-dev libqt6sql6-sqlite socat mbpoll libmodbus-dev mosquitto mosquitto-clients openssl python3-pymodbus python3-serial-asyncio|python3-serial python3-h5py python3-pil python3-pyatspi at-spi2-core dbus-daemon ccache python3 git xvfb xauth fonts-noto-cjk? doxygen clang-format-14? clang-tidy-14? clang? libclang-rt-dev?
     desktop-file-utils appstream libglib2.0-bin"
 package_packages="
     dpkg-dev lintian debootstrap desktop-file-utils appstream xvfb xdotool x11-utils imagemagick"

@@ -44,10 +44,10 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
-# The libraries are read off the program. What Qt loads by itself is not among them: the SQLite driver (sessions) and the SVG
-# icon engine, a package of its own in newer Debians. The xcb platform, OpenGL and a font come with Qt's own dependencies.
+# The libraries are read off the program. What Qt loads by itself is not among them: the SVG icon engine, a package of its own in
+# newer Debians. The xcb platform, OpenGL and a font come with Qt's own dependencies.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_DEPENDS "libqt6sql6-sqlite, libqt6svg6 (<< 6.6) | qt6-svg-plugins")
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "libqt6svg6 (<< 6.6) | qt6-svg-plugins")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "qt6-translations-l10n")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "fonts-noto-cjk, paraview")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "radiation-based thermal servoing")

@@ -1,7 +1,6 @@
 #include "engine/recording/row_chain.h"
 
 #include <QByteArray>
-#include <QCryptographicHash>
 
 #include <cmath>
 #include <cstring>
@@ -15,34 +14,45 @@ constexpr std::array<const char*, kChainTables> kNames{
     "overview", "command",       "event", "note",       "thermal_frame", "traffic", "prediction"};
 constexpr std::size_t kEntryBytes = 5; // table and check
 
-Digest digestOf(const QCryptographicHash& hash) {
-    const QByteArray result = hash.result();
-    Digest digest;
-    std::memcpy(digest.data(), result.constData(), digest.size());
-    return digest;
-}
-
-void append(QByteArray& out, char kind, const void* bytes, std::size_t size) {
-    const auto length = static_cast<std::uint64_t>(size);
-    out.append(kind);
-    out.append(reinterpret_cast<const char*>(&length), sizeof length);
-    out.append(static_cast<const char*>(bytes), static_cast<qsizetype>(size));
-}
-
-void append(QByteArray& out, const SqlValue& value) {
-    const double number = numberOf(value);
-    if (!std::isnan(number)) {
-        const double positive = number == 0.0 ? 0.0 : number;
-        append(out, 'd', &positive, sizeof positive);
-    } else if (const auto* text = std::get_if<std::string>(&value); text != nullptr && !text->empty()) {
-        const std::string stored = storedText(*text);
-        append(out, stored.empty() ? 'n' : 't', stored.data(), stored.size());
-    } else if (const auto* blob = std::get_if<SqlBlob>(&value); blob != nullptr && !blob->bytes.empty()) {
-        append(out, 'b', blob->bytes.data(), blob->bytes.size());
-    } else {
-        append(out, 'n', nullptr, 0);
+/// What a row's digest is of.
+class RowBytes {
+public:
+    void clear() { m_size = 0; }
+    void append(char kind, const void* bytes, std::size_t size) {
+        const auto length = static_cast<std::uint64_t>(size);
+        const std::size_t all = 1 + sizeof length + size;
+        if (m_bytes.size() - m_size < all)
+            m_bytes.resize(2 * m_bytes.size() + all);
+        char* const to = m_bytes.data() + m_size;
+        *to = kind;
+        std::memcpy(to + 1, &length, sizeof length);
+        if (size > 0)
+            std::memcpy(to + 1 + sizeof length, bytes, size);
+        m_size += all;
     }
-}
+    void append(const SqlValue& value) {
+        const double number = numberOf(value);
+        if (!std::isnan(number)) {
+            const double positive = number == 0.0 ? 0.0 : number;
+            append('d', &positive, sizeof positive);
+        } else if (const auto* text = std::get_if<std::string>(&value); text != nullptr && !text->empty()) {
+            const std::string stored = storedText(*text);
+            append(stored.empty() ? 'n' : 't', stored.data(), stored.size());
+        } else if (const auto* blob = std::get_if<SqlBlob>(&value); blob != nullptr && !blob->bytes.empty()) {
+            append('b', blob->bytes.data(), blob->bytes.size());
+        } else {
+            append('n', nullptr, 0);
+        }
+    }
+    Digest digest(Sha256& hash) const {
+        hash.add(m_bytes.data(), m_size);
+        return hash.take();
+    }
+
+private:
+    std::vector<char> m_bytes; // of the longest so far
+    std::size_t m_size = 0;
+};
 
 } // namespace
 
@@ -65,14 +75,13 @@ std::string selectRows(ChainTable table) {
 }
 
 Digest digestOf(ChainTable table, std::span<const SqlValue> row) {
-    thread_local QByteArray bytes;
-    bytes.resize(0);
-    append(bytes, 'T', tableName(table), std::strlen(tableName(table)));
+    thread_local RowBytes bytes;
+    thread_local Sha256 hash;
+    bytes.clear();
+    bytes.append('T', tableName(table), std::strlen(tableName(table)));
     for (const SqlValue& value : row)
-        append(bytes, value);
-    QCryptographicHash hash(QCryptographicHash::Sha256);
-    hash.addData(bytes);
-    return digestOf(hash);
+        bytes.append(value);
+    return bytes.digest(hash);
 }
 
 std::uint32_t checkOf(const Digest& digest) {
@@ -82,14 +91,10 @@ std::uint32_t checkOf(const Digest& digest) {
 }
 
 Digest chained(const Digest& before, std::span<const Digest> digests) {
-    QCryptographicHash hash(QCryptographicHash::Sha256);
-    const auto add = [&](const Digest& digest) {
-        hash.addData(QByteArray::fromRawData(reinterpret_cast<const char*>(digest.data()), digest.size()));
-    };
-    add(before);
-    for (const Digest& digest : digests)
-        add(digest);
-    return digestOf(hash);
+    thread_local Sha256 hash;
+    hash.add(before.data(), before.size());
+    hash.add(digests.data(), digests.size_bytes());
+    return hash.take();
 }
 
 std::array<SqlValue, 3> rowOf(const ChainLink& link) {

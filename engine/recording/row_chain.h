@@ -3,6 +3,7 @@
 // change of any of them is found, and named, later.
 
 #include "engine/recording/session_store.h"
+#include "engine/recording/sha256.h"
 
 #include <array>
 #include <cstdint>
@@ -13,8 +14,6 @@
 #include <vector>
 
 namespace bask {
-
-using Digest = std::array<unsigned char, 32>;
 
 /// Tables whose rows are chained; the numbers are in files and stay. Schema: what makes the tables and views.
 enum class ChainTable : unsigned char {

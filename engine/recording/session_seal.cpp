@@ -3,7 +3,6 @@
 #include "engine/base/message_code.h"
 #include "engine/recording/row_chain.h"
 
-#include <QCryptographicHash>
 #include <QFile>
 #include <QFileInfo>
 
@@ -78,22 +77,23 @@ public:
     }
     /// SHA-256 with zeros instead of the seal at `place`.
     std::string hashWithout(std::ptrdiff_t place, const ShareDone& done = {}) const {
-        QCryptographicHash hash(QCryptographicHash::Sha256);
+        Sha256 hash;
         ShareCount count(done, static_cast<double>(m_file.size()));
         const auto add = [&](std::ptrdiff_t from, std::ptrdiff_t to) {
-            constexpr std::ptrdiff_t kStep = 1
-                                             << 23; // a share is told after each; Qt 6.4 counts in int below
+            constexpr std::ptrdiff_t kStep = 1 << 23; // a share is told after each
             for (; from < to; from += kStep) {
                 const std::ptrdiff_t step = std::min(kStep, to - from);
-                hash.addData(QByteArray::fromRawData(reinterpret_cast<const char*>(m_bytes) + from, step));
+                hash.add(m_bytes + from, static_cast<std::size_t>(step));
                 count.add(static_cast<double>(step));
             }
         };
         add(0, place);
-        hash.addData(QByteArray(static_cast<qsizetype>(kBytes), '\0'));
+        const Digest none{};
+        hash.add(none.data(), none.size());
         count.add(static_cast<double>(kBytes));
         add(place + static_cast<std::ptrdiff_t>(kBytes), m_file.size());
-        return hash.result().toStdString();
+        const Digest digest = hash.take();
+        return {digest.begin(), digest.end()};
     }
     /// Whether the path still names this very file, and nobody has written into it since it was opened.
     bool isUntouched(const QString& path) const {

@@ -7,19 +7,16 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QRegularExpression>
-#include <QSqlDatabase>
-#include <QSqlError>
-#include <QSqlField>
-#include <QSqlQuery>
-#include <QSqlRecord>
 #include <QUrl>
-#include <QVariant>
 
-#include <atomic>
+#include <sqlite3.h>
+
+#include <algorithm>
 #include <cmath>
 #include <deque>
 #include <limits>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 namespace bask {
@@ -27,24 +24,14 @@ namespace {
 
 constexpr int kBusyTimeout_ms = 5000;
 
-/// SQLite's primary result codes that mean something to a person.
-enum SqliteCode {
-    kBusy = 5,
-    kLocked = 6,
-    kReadOnly = 8,
-    kCorrupt = 11,
-    kCannotOpen = 14,
-    kNotADatabase = 26
+struct Finalize {
+    void operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
 };
+using SqlStatement = std::unique_ptr<sqlite3_stmt, Finalize>;
 
-int sqliteCode(const QSqlError& error) {
-    return error.nativeErrorCode().toInt() & 0xff;
-}
-
-std::string words(const QSqlError& error) {
-    const QString text = error.databaseText().isEmpty() ? error.driverText() : error.databaseText();
-    return text.trimmed().toStdString();
-}
+struct Close {
+    void operator()(sqlite3* database) const { sqlite3_close(database); }
+};
 
 QString sideFile(const std::string& path, const char* suffix) {
     return QString::fromStdString(path) + suffix;
@@ -54,36 +41,40 @@ QString uriOf(const QString& path, const char* options) {
     return QString::fromLatin1(QUrl::fromLocalFile(QFileInfo(path).absoluteFilePath()).toEncoded()) + options;
 }
 
-QString storedQString(const std::string& text) {
-    QString stored = QString::fromStdString(text);
-    stored.replace(QChar(0xfffe), QChar(0xfffd)).replace(QChar(0xffff), QChar(0xfffd));
-    while (stored.startsWith(QChar(0xfeff)))
-        stored.remove(0, 1);
-    return stored;
+bool isAscii(std::string_view text) {
+    return std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x80; });
 }
 
-QVariant toVariant(const SqlValue& value) {
+/// `stored`: keeps the texts that are stored otherwise than they are, until the statement has run.
+int bind(sqlite3_stmt* statement, int at, const SqlValue& value, std::deque<std::string>& stored) {
     if (const auto* number = std::get_if<double>(&value))
-        return *number;
+        return sqlite3_bind_double(statement, at, *number);
     if (const auto* whole = std::get_if<std::int64_t>(&value))
-        return static_cast<qlonglong>(*whole);
-    if (const auto* text = std::get_if<std::string>(&value))
-        return storedQString(*text);
+        return sqlite3_bind_int64(statement, at, *whole);
+    if (const auto* text = std::get_if<std::string>(&value)) {
+        const std::string& bytes = isAscii(*text) ? *text : stored.emplace_back(storedText(*text));
+        return sqlite3_bind_text64(statement, at, bytes.data(), bytes.size(), SQLITE_STATIC, SQLITE_UTF8);
+    }
     if (const auto* blob = std::get_if<SqlBlob>(&value))
-        return QByteArray::fromStdString(blob->bytes);
-    return {};
+        return sqlite3_bind_blob64(statement, at, blob->bytes.data(), blob->bytes.size(), SQLITE_STATIC);
+    return sqlite3_bind_null(statement, at);
 }
 
-SqlValue fromVariant(const QVariant& value) {
-    if (value.isNull())
+SqlValue columnOf(sqlite3_stmt* statement, int k) {
+    const int type = sqlite3_column_type(statement, k);
+    if (type == SQLITE_FLOAT)
+        return sqlite3_column_double(statement, k);
+    if (type == SQLITE_INTEGER)
+        return std::int64_t{sqlite3_column_int64(statement, k)};
+    if (type == SQLITE_NULL)
         return {};
-    if (value.typeId() == QMetaType::Double)
-        return value.toDouble();
-    if (value.typeId() == QMetaType::LongLong || value.typeId() == QMetaType::Int)
-        return std::int64_t{value.toLongLong()};
-    if (value.typeId() == QMetaType::QByteArray)
-        return SqlBlob{value.toByteArray().toStdString()};
-    return value.toString().toStdString();
+    const void* const bytes =
+        type == SQLITE_BLOB ? sqlite3_column_blob(statement, k) : sqlite3_column_text(statement, k);
+    const auto size = static_cast<std::size_t>(sqlite3_column_bytes(statement, k));
+    std::string read = size == 0 ? std::string() : std::string(static_cast<const char*>(bytes), size);
+    if (type == SQLITE_BLOB)
+        return SqlBlob{std::move(read)};
+    return isAscii(read) ? std::move(read) : storedText(read); // damage may have made it none
 }
 
 } // namespace
@@ -101,7 +92,11 @@ double numberOf(const SqlValue& value) {
 }
 
 std::string storedText(const std::string& text) {
-    return storedQString(text).toStdString();
+    QString stored = QString::fromStdString(text);
+    stored.replace(QChar(0xfffe), QChar(0xfffd)).replace(QChar(0xffff), QChar(0xfffd));
+    while (stored.startsWith(QChar(0xfeff)))
+        stored.remove(0, 1);
+    return stored.toStdString();
 }
 
 std::string textOf(const SqlValue& value) {
@@ -122,9 +117,8 @@ struct SessionStore::Impl {
     bool isDamaged = false;
     bool isMarked = true;
     int version = kSessionVersion;
-    QString connection;
-    QSqlDatabase database;
-    std::deque<QSqlQuery> statements;
+    std::unique_ptr<sqlite3, Close> database;
+    std::deque<SqlStatement> statements;
     std::optional<HiddenFolder>
         copy; ///< holds the database that is read instead, where its own folder forbids it
 
@@ -132,46 +126,72 @@ struct SessionStore::Impl {
 
     void close() {
         statements.clear();
-        if (connection.isEmpty())
-            return;
-        database.close();
-        database = {};
-        QSqlDatabase::removeDatabase(connection);
-        connection.clear();
+        database.reset();
     }
 
-    Result<void> connect(const QString& file, const QString& options) {
-        static std::atomic<unsigned> counter{0};
+    Result<void> connect(const QString& file, int flags) {
         close();
-        connection = QStringLiteral("bask-session-%1").arg(++counter);
-        database = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), connection);
-        database.setDatabaseName(file);
-        database.setConnectOptions(options + QStringLiteral(";QSQLITE_BUSY_TIMEOUT=%1").arg(kBusyTimeout_ms));
-        if (!database.open())
-            return failure(database.lastError());
+        sqlite3* opened = nullptr;
+        const int code = sqlite3_open_v2(file.toUtf8().constData(), &opened,
+                                         flags | SQLITE_OPEN_NOMUTEX | SQLITE_OPEN_PRIVATECACHE, nullptr);
+        database.reset(opened);
+        if (code != SQLITE_OK)
+            return failure();
+        sqlite3_busy_timeout(opened, kBusyTimeout_ms);
         if (isDamaged) // SQLite reads what it can of a schema then, and of a file that is cut short
-            QSqlQuery(database).exec(QStringLiteral("PRAGMA writable_schema = ON"));
+            sqlite3_exec(opened, "PRAGMA writable_schema = ON", nullptr, nullptr, nullptr);
         return {};
     }
 
-    Error failure(const QSqlError& error) const {
-        const int code = sqliteCode(error);
-        if (code == kBusy || code == kLocked)
-            return Error(MessageCode::SessionBusy, path, {words(error)});
+    /// Of the last call.
+    Error failure() const {
+        const int code = sqlite3_errcode(database.get()) & 0xff; // the primary one
+        const std::string words = QString::fromUtf8(sqlite3_errmsg(database.get())).trimmed().toStdString();
+        if (code == SQLITE_BUSY || code == SQLITE_LOCKED)
+            return Error(MessageCode::SessionBusy, path, {words});
         if (writes)
-            return Error(MessageCode::FileUnwritable, path, {words(error)});
-        if (code == kNotADatabase)
+            return Error(MessageCode::FileUnwritable, path, {words});
+        if (code == SQLITE_NOTADB)
             return Error(MessageCode::NotASession, path);
-        if (code == kCannotOpen || code == kReadOnly)
-            return Error(MessageCode::FileUnreadable, path, {words(error)});
-        return Error(MessageCode::SessionDamaged, path, {code == kCorrupt ? kNotWhole : words(error)});
+        if (code == SQLITE_CANTOPEN || code == SQLITE_READONLY)
+            return Error(MessageCode::FileUnreadable, path, {words});
+        return Error(MessageCode::SessionDamaged, path, {code == SQLITE_CORRUPT ? kNotWhole : words});
     }
 
-    Result<std::int64_t> pragma(const char* name) {
-        QSqlQuery query(database);
-        if (!query.exec(QStringLiteral("PRAGMA ") + QLatin1String(name)) || !query.next())
-            return failure(query.lastError());
-        return std::int64_t{query.value(0).toLongLong()};
+    Result<SqlStatement> prepared(const std::string& sql) const {
+        sqlite3_stmt* made = nullptr;
+        const int code =
+            sqlite3_prepare_v2(database.get(), sql.data(), static_cast<int>(sql.size()), &made, nullptr);
+        SqlStatement statement(made);
+        if (code != SQLITE_OK)
+            return failure();
+        return statement;
+    }
+
+    Result<void> select(const std::string& sql, const std::function<void(Row)>& row,
+                        const std::stop_token& stop) const {
+        const auto statement = prepared(sql);
+        if (!statement)
+            return statement.error();
+        std::vector<SqlValue> values(static_cast<std::size_t>(sqlite3_column_count(statement->get())));
+        int code = SQLITE_ROW;
+        while (!stop.stop_requested() && (code = sqlite3_step(statement->get())) == SQLITE_ROW) {
+            for (std::size_t k = 0; k < values.size(); ++k)
+                values[k] = columnOf(statement->get(), static_cast<int>(k));
+            row(values);
+        }
+        if (code != SQLITE_ROW && code != SQLITE_DONE)
+            return failure();
+        return {};
+    }
+
+    Result<std::int64_t> pragma(const char* name) const {
+        std::int64_t number = 0;
+        const auto done = select(std::string("PRAGMA ") + name,
+                                 [&](Row row) { number = static_cast<std::int64_t>(numberOf(row[0])); }, {});
+        if (!done)
+            return done.error();
+        return number;
     }
 };
 
@@ -182,7 +202,8 @@ Result<std::unique_ptr<SessionStore>> SessionStore::create(const std::string& pa
     auto impl = std::make_unique<Impl>();
     impl->path = path;
     impl->writes = true;
-    if (auto connected = impl->connect(QFileInfo(QString::fromStdString(path)).absoluteFilePath(), {});
+    if (auto connected = impl->connect(QFileInfo(QString::fromStdString(path)).absoluteFilePath(),
+                                       SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
         !connected)
         return connected.error();
     return std::unique_ptr<SessionStore>(new SessionStore(std::move(impl)));
@@ -289,16 +310,16 @@ Result<std::unique_ptr<SessionStore>> SessionStore::open(const std::string& path
     auto impl = std::make_unique<Impl>();
     impl->path = path;
     impl->isDamaged = isDamaged;
-    const QString readOnly = QStringLiteral("QSQLITE_OPEN_READONLY");
     const QString log = file + QStringLiteral("-wal");
     const bool hasLog = QFileInfo::exists(log);
     if (!hasLog) {
         // Nobody writes: read without locks, so that nothing is left beside the file and any folder will do.
         if (auto header = checkHeader(path, isDamaged, isAltered); !header)
             return header.error();
-        if (auto done = impl->connect(uriOf(file, "?immutable=1"), readOnly + ";QSQLITE_OPEN_URI"); !done)
+        if (auto done = impl->connect(uriOf(file, "?immutable=1"), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
+            !done)
             return done.error();
-    } else if (auto done = impl->connect(file, readOnly); !done) {
+    } else if (auto done = impl->connect(file, SQLITE_OPEN_READONLY); !done) {
         return done.error();
     }
 
@@ -312,7 +333,7 @@ Result<std::unique_ptr<SessionStore>> SessionStore::open(const std::string& path
         const QString copied = QString::fromStdString(impl->copy->place("session.bask"));
         if (!QFile::copy(file, copied) || !QFile::copy(log, copied + "-wal"))
             return applicationId.error();
-        if (auto done = impl->connect(copied, readOnly); !done)
+        if (auto done = impl->connect(copied, SQLITE_OPEN_READONLY); !done)
             return done.error();
         applicationId = impl->pragma("application_id");
     }
@@ -357,44 +378,36 @@ Result<std::unique_ptr<SessionStore>> SessionStore::open(const std::string& path
 }
 
 Result<void> SessionStore::execute(const std::string& sql) {
-    QSqlQuery query(m_impl->database);
-    if (!query.exec(QString::fromStdString(sql)))
-        return m_impl->failure(query.lastError());
-    return {};
+    return m_impl->select(sql, [](Row) {}, {});
 }
 
 Result<std::size_t> SessionStore::prepare(const std::string& sql) {
-    QSqlQuery query(m_impl->database);
-    if (!query.prepare(QString::fromStdString(sql)))
-        return m_impl->failure(query.lastError());
-    m_impl->statements.push_back(std::move(query));
+    auto statement = m_impl->prepared(sql);
+    if (!statement)
+        return statement.error();
+    m_impl->statements.push_back(std::move(*statement));
     return m_impl->statements.size() - 1;
 }
 
 Result<void> SessionStore::run(std::size_t statement, std::span<const SqlValue> values) {
-    QSqlQuery& query = m_impl->statements.at(statement);
-    for (std::size_t k = 0; k < values.size(); ++k)
-        query.bindValue(static_cast<int>(k), toVariant(values[k]));
-    if (!query.exec())
-        return m_impl->failure(query.lastError());
-    return {};
+    sqlite3_stmt* const run = m_impl->statements.at(statement).get();
+    std::deque<std::string> stored;
+    int code = SQLITE_OK;
+    for (std::size_t k = 0; k < values.size() && code == SQLITE_OK; ++k)
+        code = bind(run, static_cast<int>(k) + 1, values[k], stored);
+    while (code == SQLITE_OK || code == SQLITE_ROW)
+        code = sqlite3_step(run);
+    Result<void> done;
+    if (code != SQLITE_DONE)
+        done = m_impl->failure();
+    sqlite3_reset(run);
+    sqlite3_clear_bindings(run);
+    return done;
 }
 
 Result<void> SessionStore::select(const std::string& sql, const std::function<void(Row)>& row,
                                   const std::stop_token& stop) const {
-    QSqlQuery query(m_impl->database);
-    query.setForwardOnly(true);
-    if (!query.exec(QString::fromStdString(sql)))
-        return m_impl->failure(query.lastError());
-    std::vector<SqlValue> values(static_cast<std::size_t>(query.record().count()));
-    while (!stop.stop_requested() && query.next()) {
-        for (std::size_t k = 0; k < values.size(); ++k)
-            values[k] = fromVariant(query.value(static_cast<int>(k)));
-        row(values);
-    }
-    if (query.lastError().isValid())
-        return m_impl->failure(query.lastError());
-    return {};
+    return m_impl->select(sql, row, stop);
 }
 
 Result<bool> SessionStore::hasTable(const std::string& name) const {

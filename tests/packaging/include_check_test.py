@@ -18,7 +18,9 @@ CLEAN = {
     "engine/exchange/field_file.cpp": '#include "engine/radiation/field.h"\n#include <vtkImageData.h>\n',
     "engine/model/experiment.h": '#pragma once\n#include "engine/shape/contour.h"\n',
     "engine/recording/session.cpp":
-        '#include "engine/model/experiment.h"\n#include <QSqlQuery>\n#include <nlohmann/json.hpp>\n',
+        '#include "engine/model/experiment.h"\n#include <QFile>\n#include <nlohmann/json.hpp>\n',
+    "engine/recording/session_store.cpp": "#include <sqlite3.h>\n",
+    "engine/recording/sha256.cpp": "#include <openssl/sha.h>\n",
     "engine/runtime/snapshot.h": '#pragma once\n#include "engine/model/experiment.h"\n',
     "engine/runtime/engine_worker.h":
         '#pragma once\n#include "engine/runtime/snapshot.h"\n#include <QThread>\nclass W { QThread* m_thread; };\n',
@@ -65,6 +67,13 @@ class IncludeCheck(unittest.TestCase):
 
     def test_command_needs_a_display(self):
         self.assert_violation("app/commands/bad.cpp", "#include <QApplication>\n", 1, "qt")
+
+    def test_sqlite_and_openssl_stay_in_one_file_each(self):
+        self.assert_violation("engine/recording/bad.cpp", "#include <sqlite3.h>\n", 1, "sqlite")
+        self.assert_violation("engine/recording/bad.cpp", "#include <openssl/evp.h>\n", 1, "openssl")
+
+    def test_engine_does_not_use_qt_sql(self):
+        self.assert_violation("engine/recording/bad.cpp", "#include <QSqlQuery>\n", 1, "qt")
 
     def test_tests_are_included_by_nobody(self):
         self.assert_violation("engine/base/bad.cpp", '#include "tests/support/rig.h"\n', 1, "tests")
