@@ -15,6 +15,42 @@ namespace {
 constexpr std::size_t kNoLimit = static_cast<std::size_t>(std::numeric_limits<std::int64_t>::max());
 constexpr int kLetGo_ms = 1000;
 constexpr double kMaxReadWhole = 20'000; // samples: half an hour; they take a quarter of a second
+// Of a longer run, looked at in as many places, from its first sample to its last.
+constexpr std::int64_t kLooks = 32, kLook = 512;
+constexpr double kMaxLooked = 1e12;
+
+/// Returns what no run records in a row of selectSteps(), in words; empty if there is nothing.
+std::string impossibleIn(const SessionTables& tables, SessionStore::Row row, SampleTimes& times) {
+    std::string words = tables.impossibleIn(row);
+    if (words.empty() && !times.isPossible(tables.sampleOf(row).time_s))
+        words = "a time that is none";
+    return words.empty() ? words
+                         : "sample " + std::to_string(SessionTables::numberOfStep(row)) + " has " + words;
+}
+
+/// Refuses a long run that holds in some places what no run records: what was done to a whole column is found
+/// here, what was done to a sample where it is read.
+Result<void> lookAtPlaces(const SessionStore& store, const SessionTables& tables, const std::string& path) {
+    const double rows = roughRows(store, "step");
+    if (rows <= kMaxReadWhole) // all were looked at
+        return {};
+    const auto last = static_cast<std::int64_t>(std::min(rows, kMaxLooked));
+    SampleTimes times;
+    std::string impossible;
+    Result<void> done;
+    for (std::int64_t k = 0; k < kLooks && done && impossible.empty(); ++k) {
+        const std::int64_t first = 1 + k * (last - kLook) / (kLooks - 1);
+        done = store.select(tables.selectSteps() + " WHERE number BETWEEN " + std::to_string(first) +
+                                " AND " + std::to_string(first + kLook - 1) + " ORDER BY number",
+                            [&](SessionStore::Row row) {
+                                if (impossible.empty())
+                                    impossible = impossibleIn(tables, row, times);
+                            });
+    }
+    if (done && !impossible.empty())
+        return Error(MessageCode::SessionDamaged, path, {impossible});
+    return done;
+}
 
 } // namespace
 
@@ -82,6 +118,8 @@ Result<void> RecordedSession::readOverview(const SessionStore& store) {
     const auto isRead = readWhole(store);
     if (!isRead || *isRead)
         return isRead ? Result<void>() : Result<void>(isRead.error());
+    if (auto possible = lookAtPlaces(store, *m_tables, m_facts.path); !possible)
+        return possible;
     m_overview = TraceOverview(m_facts.experiment.objects.size());
     bool isSound = true;
     SampleTimes times;
@@ -117,16 +155,10 @@ Result<bool> RecordedSession::readWhole(const SessionStore& store) {
     const auto done = store.select(m_tables->selectSteps() + " ORDER BY number", [&](SessionStore::Row row) {
         if (!impossible.empty())
             return;
-        const std::int64_t number = SessionTables::numberOfStep(row);
-        isWhole = isWhole && number == due++;
-        impossible = m_tables->impossibleIn(row);
-        const TraceSample sample = m_tables->sampleOf(row);
-        if (impossible.empty() && !times.isPossible(sample.time_s))
-            impossible = "a time that is none";
-        if (!impossible.empty())
-            impossible = "sample " + std::to_string(number) + " has " + impossible;
-        else if (isWhole)
-            m_overview.add(sample);
+        isWhole = isWhole && SessionTables::numberOfStep(row) == due++;
+        impossible = impossibleIn(*m_tables, row, times);
+        if (impossible.empty() && isWhole)
+            m_overview.add(m_tables->sampleOf(row));
     });
     if (done && !impossible.empty())
         return Error(MessageCode::SessionDamaged, m_facts.path, {impossible});
@@ -135,13 +167,20 @@ Result<bool> RecordedSession::readWhole(const SessionStore& store) {
 
 Result<void> RecordedSession::readTargets(const SessionStore& store) {
     m_targets.resize(m_facts.experiment.objects.size());
-    return store.select("SELECT time_s, object, target_K FROM target_step ORDER BY rowid",
-                        [this](SessionStore::Row row) {
-                            const double object = numberOf(row[1]);
-                            if (object >= 1.0 && object <= static_cast<double>(m_targets.size()))
-                                m_targets[static_cast<std::size_t>(object) - 1].emplace_back(
-                                    numberOf(row[0]), numberOf(row[2]));
-                        });
+    bool isPossible = true;
+    auto done = store.select(
+        "SELECT time_s, object, target_K FROM target_step ORDER BY rowid", [&](SessionStore::Row row) {
+            const double time_s = numberOf(row[0]), object = numberOf(row[1]), target_K = numberOf(row[2]);
+            const bool isKnown = !std::holds_alternative<std::monostate>(row[2]);
+            isPossible = isPossible && std::isfinite(time_s) && object >= 1.0 &&
+                         object <= static_cast<double>(m_targets.size()) &&
+                         (!isKnown || (std::isfinite(target_K) && target_K >= 0.0));
+            if (isPossible)
+                m_targets[static_cast<std::size_t>(object) - 1].emplace_back(time_s, target_K);
+        });
+    if (done && !isPossible)
+        done = Error(MessageCode::SessionDamaged, m_facts.path, {"a target that is none"});
+    return done;
 }
 
 Result<void> RecordedSession::countFrames(const SessionStore& store) {

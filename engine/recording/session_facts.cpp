@@ -82,18 +82,28 @@ private:
     }
 
     Result<void> log() {
-        auto done = m_store.select("SELECT time_s, code, args FROM event ORDER BY rowid",
-                                   [&](Row row) { m_record.events.push_back(eventOf(row)); });
+        bool isPossible = true;
+        const auto timeOf = [&](Row row) {
+            const double time_s = numberOf(row[0]);
+            isPossible = isPossible && std::isfinite(time_s);
+            return time_s;
+        };
+        auto done = m_store.select("SELECT time_s, code, args FROM event ORDER BY rowid", [&](Row row) {
+            (void)timeOf(row);
+            m_record.events.push_back(eventOf(row));
+        });
         if (done)
             done = select("time_s, text", "note", [&](Row row) {
-                m_record.notes.push_back(
-                    {numberOf(row[0]), printable(textOf(row[1])), printable(textOf(row[2]))});
+                m_record.notes.push_back({timeOf(row), printable(textOf(row[1])), printable(textOf(row[2]))});
             });
         if (done)
             done = select("time_s, name, value", "command", [&](Row row) {
-                m_record.commands.push_back({numberOf(row[0]), printable(textOf(row[1])),
+                m_record.commands.push_back({timeOf(row), printable(textOf(row[1])),
                                              printable(textOf(row[2])), printable(textOf(row[3]))});
             });
+        if (done && !isPossible)
+            return Error(MessageCode::SessionDamaged, m_record.path,
+                         {"an event, a command or a note has a time that is none"});
         return done;
     }
 

@@ -139,6 +139,24 @@ TEST_F(RecordedSessionTest, AMissingSampleIsFoundWhereItIsRead) {
     EXPECT_EQ(readSamples(path, [](const TraceSample&) {}).error().code(), MessageCode::SessionDamaged);
 }
 
+// Catches a run that is too long to be read when it is opened, and of which then nothing is looked at.
+TEST_F(RecordedSessionTest, ALongRunThatIsNoneIsRefusedWhenOpened) {
+    const std::string path = m_folder.filePath(QStringLiteral("long.bask")).toStdString();
+    auto writer = SessionWriter::create(path, twoDisks(), true, 0.0);
+    for (int k = 0; k < 20'500; ++k) // beyond RecordedSession's kMaxReadWhole
+        ASSERT_TRUE((*writer)->add(at(k)));
+    ASSERT_TRUE((*writer)->finish("stopped"));
+    ASSERT_TRUE(RecordedSession::open(path));
+    for (const char* values : {"measured_K_1 = 'hot'", "time_s = 0", "source_qw = 0.5"}) {
+        const std::string altered = m_folder.filePath(QStringLiteral("altered.bask")).toStdString();
+        QFile::remove(QString::fromStdString(altered));
+        ASSERT_TRUE(QFile::copy(QString::fromStdString(path), QString::fromStdString(altered)));
+        alter(altered, std::string("UPDATE step SET ") + values);
+        const auto session = RecordedSession::open(altered);
+        EXPECT_TRUE(!session && session.error().code() == MessageCode::SessionDamaged) << values;
+    }
+}
+
 // Catches a reader that is led astray by rows that come while it reads.
 TEST_F(RecordedSessionTest, ShowsARunThatIsBeingRecordedAsItWas) {
     const std::string path = m_folder.filePath(QStringLiteral("live.bask")).toStdString();

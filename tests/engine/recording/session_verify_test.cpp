@@ -732,7 +732,8 @@ TEST_F(SessionVerify, whatNoRunRecordsIsNotOpened) {
           "UPDATE step SET source_K = 9e999 WHERE number = 5", "UPDATE step SET x_m = NULL WHERE number = 5",
           "UPDATE step SET y_m = 9e999 WHERE number = 5", "UPDATE step SET source_qw = NULL WHERE number = 5",
           "UPDATE object SET name = 'other' WHERE number = 2", "DELETE FROM object WHERE number = 2",
-          "INSERT INTO object VALUES(3, 'third')",
+          "INSERT INTO object VALUES(3, 'third')", "UPDATE event SET time_s = 'now'",
+          "UPDATE command SET time_s = 9e999", "UPDATE note SET time_s = x'00' WHERE rowid = 2",
           "DROP VIEW sample; CREATE VIEW sample AS SELECT time_s FROM step CROSS JOIN step"}) {
         QFile::remove(QString::fromStdString(file));
         ASSERT_TRUE(QFile::copy(QString::fromStdString(path()), QString::fromStdString(file)));
@@ -744,6 +745,13 @@ TEST_F(SessionVerify, whatNoRunRecordsIsNotOpened) {
             EXPECT_EQ(read.error().code(), MessageCode::SessionDamaged) << sql;
         }
         EXPECT_FALSE(RecordedSession::open(file)) << "Review: " << sql;
+    }
+    for (const char* sql : {"object = 3", "object = 'circle'", "time_s = -9e999", "target_K = -5",
+                            "target_K = 9e999", "target_K = 'warm'"}) { // Review alone reads this table
+        QFile::remove(QString::fromStdString(file));
+        ASSERT_TRUE(QFile::copy(QString::fromStdString(path()), QString::fromStdString(file)));
+        tamper(file, std::string("UPDATE target_step SET ") + sql);
+        EXPECT_FALSE(RecordedSession::open(file)) << sql;
     }
 }
 
