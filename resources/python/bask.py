@@ -37,6 +37,7 @@ _CHUNK = 4096  # samples that fit the processor's cache
 _Column = namedtuple("_Column", "name unit key table log")
 _POSE = tuple(_Column("", "", key, "pose", f"instrument/robot/{key.split('_')[0]}")
               for key in ("x_m", "y_m", "z_m", "qw", "qx", "qy", "qz"))
+_SOURCE_POSE = [f"source_{column.key}" for column in _POSE]  # looked at, not shown; unknown where it is the experiment's
 # From engine/model/trace_sample.h, by the test PythonColumns (CONTRIBUTING.md):
 _RUN = (
     _Column("source", "degC", "source_K", "source",
@@ -317,6 +318,8 @@ def _read_session(path, start):
                   for time_s, code, text, args in tables.select("event", "time_s, code, text, args")]
         commands = [Command(*row) for row in tables.signed("command", "time_s, name, value")]
         notes = [Note(*row) for row in tables.signed("note", "time_s, text")]
+        if not all(isinstance(row.time_s, (int, float)) and math.isfinite(row.time_s) for row in (*events, *commands, *notes)):
+            raise _damaged(path, "an event, a command or a note has a time that is none")
         values = tables.first_version(rig) if version < 2 else tables.steps(rig, None if has_log else real)
         return rig, rig.header(facts), events, commands, notes, values
     finally:
@@ -357,7 +360,7 @@ class _Tables:
             raise _damaged(self.path, "its objects are not those of its experiment")
         count = self.select("step", "max(number)", "").fetchone()[0] or 0
         there = [row[1] for row in self.con.execute("PRAGMA table_info(step)")]
-        wanted = ["time_s"] + [_key(*each) for each in rig.stored if each[0].table or _key(*each) in there]
+        wanted = ["time_s"] + [_key(*each) for each in rig.stored if each[0].table or _key(*each) in there] + _SOURCE_POSE
         rows = None
         if file:
             root = self.con.execute("SELECT rootpage FROM sqlite_master WHERE name = 'step'").fetchone()[0]
@@ -384,6 +387,11 @@ class _Tables:
                 raise _damaged(self.path, f"the rows of table {table} do not go with the poses")
             for column, number in own:
                 values[_key(column, number)] = rows[keys.index(column.key)][max(number - 1, 0)::len(owners)]
+        if "source_pose" in self.made:  # later than the first files
+            time_s, *rows = self.numbers("source_pose", ["time_s", *(column.key for column in _POSE)])
+            if not np.array_equal(time_s, values["time_s"]):
+                raise _damaged(self.path, "the rows of table source_pose do not go with the poses")
+            values.update(zip(_SOURCE_POSE, rows))
         return values
 
 
@@ -431,6 +439,9 @@ def _from_pages(file, root, wanted, width, count):
                 return None
             for row, index in zip(out, wanted):
                 kind, end = kinds[index], ends[index]
+                if not kind.any():  # nothing is known
+                    row[first:first + _CHUNK] = np.nan
+                    continue
                 value = f8[end - 8].astype(float)
                 for other in np.unique(kind[kind != 7]):
                     at = kind == other
@@ -497,13 +508,16 @@ def _impossible(rig, values):
         return "the times of its samples do not ascend"
     if (time_s[_EQUAL_TIMES:] == time_s[:-_EQUAL_TIMES]).any():
         return f"it has more than {_EQUAL_TIMES} samples of one moment"
-    x, y, z, *q = pose = [values[column.key] for column in _POSE]
-    with np.errstate(all="ignore"):
-        bad = ~(np.abs(sum(part * part for part in q) - 1.0) < 1e-3) | ~np.isfinite(x + y + z)
-    if bad.any():  # all unknown is possible
-        bad &= ~np.logical_and.reduce([np.isnan(part) for part in pose])
-    if bad.any():
-        return f"sample {np.argmax(bad) + 1} has a pose that is none"
+    for which, keys in (("", [column.key for column in _POSE]), (" of the source", _SOURCE_POSE)):
+        if keys[0] not in values:
+            continue
+        x, y, z, *q = pose = [values[key] for key in keys]
+        with np.errstate(all="ignore"):
+            bad = ~(np.abs(sum(part * part for part in q) - 1.0) < 1e-3) | ~np.isfinite(x + y + z)
+        if bad.any():  # all unknown is possible
+            bad &= ~np.logical_and.reduce([np.isnan(part) for part in pose])
+        if bad.any():
+            return f"sample {np.argmax(bad) + 1} has a pose{which} that is none"
     for column, number in rig.stored:
         if column.unit == "degC":
             value = values[_key(column, number)]

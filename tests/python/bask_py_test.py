@@ -501,14 +501,18 @@ class Errors(unittest.TestCase):
     def test_what_no_run_records(self):
         """Catches: values that the program refuses, read as if they were."""
         of_step = ("measured_K_1 = -400", "source_K = -1", "measured_K_2 = 9e999", "x_m = NULL", "x_m = 9e999",
-                   "qw = 0, qx = 0, qy = 0, qz = 0", "qw = NULL", "time_s = 0.0", "measured_K_1 = 'hot'")
+                   "qw = 0, qx = 0, qy = 0, qz = 0", "qw = NULL", "time_s = 0.0", "measured_K_1 = 'hot'", "source_qw = 1",
+                   "source_x_m = 0, source_y_m = 0, source_z_m = 0, source_qw = 0, source_qx = 0, source_qy = 0, source_qz = 2")
         later = {"time_s = 0.0": ""}
         cases = [(f"UPDATE step SET {each}{later.get(each, ' WHERE number = 40')}",) for each in of_step]
-        cases += [("UPDATE object SET name = 'other' WHERE number = 2",), ("DELETE FROM object WHERE number = 3",)]
+        cases += [("UPDATE object SET name = 'other' WHERE number = 2",), ("DELETE FROM object WHERE number = 3",),
+                  ("UPDATE event SET time_s = 'now' WHERE rowid = 2",), ("UPDATE note SET time_s = 9e999",),
+                  ("UPDATE command SET time_s = x'00' WHERE rowid = 2",)]
         cases += [(*FIRST_VERSION, statement) for statement in (
             "UPDATE sample SET measured_K = -400 WHERE rowid = 40", "UPDATE sample SET estimated_K = 9e999 WHERE rowid = 40",
             "UPDATE sample SET measured_K = 'hot' WHERE rowid = 40", "UPDATE source SET temperature_K = -1 WHERE rowid = 40",
-            "UPDATE pose SET qw = 0, qx = 0, qy = 0, qz = 0 WHERE rowid = 40", "UPDATE pose SET x_m = NULL WHERE rowid = 40")]
+            "UPDATE pose SET qw = 0, qx = 0, qy = 0, qz = 0 WHERE rowid = 40", "UPDATE pose SET x_m = NULL WHERE rowid = 40",
+            "UPDATE source_pose SET qx = 2 WHERE rowid = 40")]
         cases.append((*FIRST_VERSION, *(f"UPDATE {table} SET time_s = 0.0" for table in VIEWS)))
         for statements in cases:
             with self.subTest(statements[-1]):
