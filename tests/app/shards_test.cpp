@@ -1,8 +1,10 @@
 // Studies and fields in shards, as a script sees them: killed, resumed and merged they give the bytes of one
 // process.
 
+#include "engine/studies/part_file.h"
 #include "tests/support/program_answer.h"
 
+#include <QDateTime>
 #include <QDir>
 #include <QElapsedTimer>
 #include <QFile>
@@ -111,6 +113,54 @@ TEST_F(Shards, areKilledAtAnyMomentAndGoOn) {
     EXPECT_TRUE(status.out.contains("6 of 6 cases (100.0 %)")) << status.out.toStdString();
     ASSERT_EQ(answerOf({"merge", at("parts"), "-o", at("merged")}).exitCode, 0);
     EXPECT_EQ(contents(at("merged/closed_loop_study.csv")), contents(at("whole/closed_loop_study.csv")));
+}
+
+/// A part of a hundred cases, four seconds of one thread each.
+std::unique_ptr<PartWriter> part(const QString& folder, int number, int records) {
+    const QString path = folder + QStringLiteral("/study.%1-of-4.part").arg(number);
+    const Shard shard{number, 4};
+    auto writer = PartWriter::open(path.toStdString(), {R"({"study": "a test"})", 100, shard, 2}, false);
+    EXPECT_TRUE(writer);
+    for (int k = 0; k < records; ++k)
+        EXPECT_TRUE((*writer)->add(4 * k + number - 1, "a record", 4.0));
+    return std::move(*writer);
+}
+
+void makeOlder(const QString& path, int by_s) {
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::ReadWrite));
+    const QDateTime then = QDateTime::currentDateTimeUtc().addSecs(-by_s);
+    ASSERT_TRUE(file.setFileTime(then, QFileDevice::FileModificationTime));
+}
+
+// Catches: a remaining time that counts shards which nobody computes, or not all cases that are missing.
+TEST_F(Shards, tellHowFarTheyAreAndHowLongTheRestTakes) {
+    ASSERT_TRUE(QDir().mkdir(at("parts")));
+    const QString first = at("parts/study.1-of-4.part"), second = at("parts/study.2-of-4.part");
+    part(at("parts"), 2, 25).reset();
+    auto first4 = part(at("parts"), 1, 5);
+    auto third4 = part(at("parts"), 3, 10);
+    makeOlder(second, 6000);
+    const auto status = [&] { return answerOf({"merge", "--status", at("parts")}); };
+    const auto lines = [](const Answer& answer) { return answer.out.split(u'\n', Qt::SkipEmptyParts); };
+    // Two at half a case a second each: 60 cases are left.
+    Answer answer = status();
+    EXPECT_EQ(answer.exitCode, 3);
+    ASSERT_EQ(lines(answer).size(), 5) << answer.out.toStdString();
+    EXPECT_EQ(lines(answer)[0], first + ": 5 of 25, under way");
+    EXPECT_EQ(lines(answer)[1], second + ": 25 of 25, done");
+    EXPECT_EQ(lines(answer)[3], "1 of 4 shards have not begun");
+    EXPECT_EQ(lines(answer)[4], "40 of 100 cases (40.0 %), about 60 s left");
+    // One of them was killed: the other one alone.
+    first4.reset();
+    makeOlder(first, 1200);
+    answer = status();
+    EXPECT_EQ(lines(answer)[0], first + ": 5 of 25, rests for 20 min");
+    EXPECT_EQ(lines(answer)[4], "40 of 100 cases (40.0 %), about 2 min left");
+    // Nobody computes: nothing tells how long it takes.
+    third4.reset();
+    makeOlder(at("parts/study.3-of-4.part"), 1200);
+    EXPECT_EQ(lines(status())[4], "40 of 100 cases (40.0 %)");
 }
 
 TEST_F(Shards, ofOtherWorkOrWithoutAllCasesAreRefused) {
