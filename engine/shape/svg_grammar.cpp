@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace bask::svg {
 namespace {
@@ -54,6 +55,12 @@ public:
         if ((next() == u'e' || next() == u'E') && isDigit(next(1 + sign))) {
             skip(1 + sign);
             takeDigits();
+        }
+        // QtSvg draws a larger one at another place, or not at all.
+        constexpr double kMax = 1e9;
+        if (!(std::abs(m_text.mid(begun, m_at - begun).toDouble()) <= kMax)) {
+            m_at = begun;
+            return false;
         }
         return true;
     }

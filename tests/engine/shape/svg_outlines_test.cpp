@@ -464,10 +464,12 @@ TEST(SvgOutlines, DamagedPathDataAreRefused) {
     const auto path = [](const std::string& data) { return drawing("<path d=\"" + data + "\"/>"); };
     for (const char* data :
          {"M 10 10 L 90 10 L 90 Z", "M 10 10 L 90 10 foo", "L 10 10 90 10 Z", "M 10 10 L 90 1e Z",
-          "M 10 10 A 5 5 0 2 0 20 20 Z", "M 10 10 C 1 2 3 4 5 Z", "10 10", "M 10 10 L 5 5 #"})
+          "M 10 10 A 5 5 0 2 0 20 20 Z", "M 10 10 C 1 2 3 4 5 Z", "10 10", "M 10 10 L 5 5 #",
+          "M 10 10 L 1e300 10 20 20 Z", "M 10 10 L -1e400 10 20 20 Z"})
         EXPECT_EQ(refusalOf(path(data)), MessageCode::SvgPathDamaged) << data;
-    for (const char* data : {"M10 10h5v5H10z", " M10,10,20-5.5.5e1 30zm5 5l1 0 0 1z", "M1 1a5 5 0 013 3.5z",
-                             "M.5.5L1e1,1E+1\n-3-3z", "m1 1 2 2 3 0t4 4q1 1 2 2s3 3 4 4c1 1 2 2 3 3Z"})
+    for (const char* data :
+         {"M10 10h5v5H10z", " M10,10,20-5.5.5e1 30zm5 5l1 0 0 1z", "M1 1a5 5 0 013 3.5z",
+          "M.5.5L1e1,1E+1\n-3-3z", "M1 1L1e-400 9 9 9z", "m1 1 2 2 3 0t4 4q1 1 2 2s3 3 4 4c1 1 2 2 3 3Z"})
         EXPECT_NE(refusalOf(path(data)), MessageCode::SvgPathDamaged) << data;
     EXPECT_NE(refusalOf(drawing("<path d=''/><rect width='5' height='5'/>")), MessageCode::SvgPathDamaged);
 }
@@ -489,8 +491,8 @@ TEST(SvgOutlines, DamagedPointsAreRefused) {
         const auto told = [&](const std::string& points) {
             return toldOf(drawing("<" + element + " points='" + points + "'/>"));
         };
-        for (const char* points :
-             {"0,0 9,0 9,9 5", "0,0 9,0 9,9 x", "0 0,,9 0 9 9", "0 0 9 0 9 9;", "nan 0 1 1 2 0"})
+        for (const char* points : {"0,0 9,0 9,9 5", "0,0 9,0 9,9 x", "0 0,,9 0 9 9", "0 0 9 0 9 9;",
+                                   "nan 0 1 1 2 0", "0 0 1e300 0 9 9"})
             EXPECT_NE(told(points).find("the points of <" + element + ">"), std::string::npos) << points;
         for (const char* points : {"0,0 9,0 9,9", " 0 0 9-.5.5 9e0\n", "0,0,9,0,9,9,", "+1+1 5+1,5 5."})
             EXPECT_EQ(told(points), "") << points;
