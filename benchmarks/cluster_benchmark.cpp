@@ -46,10 +46,17 @@ void study(benchmark::State& state) {
     programRun(state, {"/bin/sh", "-c", script});
 }
 
-/// 1.02e8 samples over six axes: a disk of 1.5 cm over one of 10 cm.
+/// 1.02e8 samples over six axes: a disk of 1.5 cm, mounted 4 cm aside, over one of 10 cm.
 void field(benchmark::State& state, bool isStored) {
     const Folder folder;
-    std::vector<std::string> words{BASK_PROGRAM, "field", "--axes",
+    std::vector<std::string> words{BASK_PROGRAM,
+                                   "field",
+                                   BASK_EXAMPLES "/two-circles.json",
+                                   "--object",
+                                   "left",
+                                   "--shade",
+                                   "none",
+                                   "--axes",
                                    "x=-0.1:0.1:0.01,y=-0.1:0.1:0.01,z=0.02:0.42:0.02,theta_x=-1:1:0.1,"
                                    "theta_y=-1:1:0.1,theta_z=0:2.4:0.1"};
     if (isStored)
