@@ -13,7 +13,7 @@ namespace bask {
 
 /// Repeated frames of a live camera are those of its closed shutter, and are ignored; frames tell when it was
 /// open again (ShutterWatch), until the camera is opened anew. Drivers and formats
-/// were tried with recorded bytes, never with a camera.
+/// were tried with recorded bytes and a device that a test plays, never with a camera.
 class VideoThermalCamera final : public ThermalCamera {
 public:
     using Opener = CaptureOpener<CaughtThermalFrame>;
