@@ -1256,6 +1256,10 @@
         <translation>Régulateur ou gains modifiés</translation>
     </message>
     <message>
+        <source>The thermal camera has looked at its shutter: its drift counts from now</source>
+        <translation>La caméra thermique a regardé son obturateur : sa dérive compte à partir de maintenant</translation>
+    </message>
+    <message>
         <source>Sensors zeroed at ambient</source>
         <translation>Capteurs ajustés à l’ambiante</translation>
     </message>
@@ -11476,6 +11480,10 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
     <message>
         <source>%1 pictures/s</source>
         <translation>%1 images/s</translation>
+    </message>
+    <message>
+        <source>shutter %1 ago, drift ± %2</source>
+        <translation>obturateur il y a %1, dérive ± %2</translation>
     </message>
     <message>
         <source>age %1 s</source>

@@ -1256,6 +1256,10 @@
         <translation>控制器或增益已更改</translation>
     </message>
     <message>
+        <source>The thermal camera has looked at its shutter: its drift counts from now</source>
+        <translation>熱像儀已對其快門校正：漂移從現在起計算</translation>
+    </message>
+    <message>
         <source>Sensors zeroed at ambient</source>
         <translation>感測器已在環境溫度下歸零</translation>
     </message>
@@ -11449,6 +11453,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <message>
         <source>%1 pictures/s</source>
         <translation>%1 影格/s</translation>
+    </message>
+    <message>
+        <source>shutter %1 ago, drift ± %2</source>
+        <translation>快門 %1 前，漂移 ± %2</translation>
     </message>
     <message>
         <source>age %1 s</source>

@@ -35,7 +35,7 @@ struct SimulatedThermalCameraSpec {
     std::string profile = "p2-pro"; ///< name of a shipped profile
     std::optional<Vector6d> pose;   ///< coordinates of X_RC; if empty, the default pose
     double noise_K = 0.05;          ///< standard deviation of a pixel for a black body at 300 K
-    double gain = 0.01;             ///< standard deviation of its error, relative
+    std::optional<double> gain{};   ///< standard deviation of its error, relative; empty: the profile's
     double offset_K = 1.0;          ///< standard deviation, before it is zeroed
     ThermalCalibration calibration; ///< what is believed
     bool operator==(const SimulatedThermalCameraSpec&) const = default;

@@ -326,6 +326,9 @@ ThermalView CameraThermometer::viewOfFrame() const {
     ThermalView view;
     view.picture = frame().picture;
     view.time_s = m_frame->time_s;
+    if (m_frame->shutter_s)
+        view.sinceShutter_s = sinceShutter_s();
+    view.drift_K = m_camera.profile().uncertainty.drift_K_min * sinceShutter_s() / 60.0;
     for (std::size_t i = 0; i < m_seen.size(); ++i) {
         const Seen& seen = m_seen[i];
         ThermalObjectView object;

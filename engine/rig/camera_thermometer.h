@@ -76,6 +76,8 @@ public:
     /// Returns the temperature of the black body as bright as what the object's face reflects, K; NaN if it
     /// could not be read.
     double reflected_K(std::size_t object) const;
+    /// Returns when the camera's shutter was last seen to open, on the engine's clock; empty: never.
+    std::optional<double> shutter_s() const { return m_frame ? m_frame->shutter_s : std::nullopt; }
     /// Returns the last frame, with the time when it was taken; without a picture before the first.
     TraceFrame frame() const;
     /// Reads a frame that is new, and returns what the window shows of it: as often as it wants pictures.

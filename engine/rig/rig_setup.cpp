@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numbers>
 #include <random>
 
 namespace bask {
@@ -182,8 +183,12 @@ SimulatedThermalCameraConfig simulatedThermalCameraConfig(const Experiment& expe
         config.shields.push_back({shield.shape, poseFromCoordinates(shield.pose)});
     config.environment_K = experiment.environment_K;
     config.errors.noise_K = spec.noise_K;
-    config.errors.gain = spec.gain;
+    const ThermalCameraUncertainty& stated = config.profile.uncertainty;
+    config.errors.gain = spec.gain.value_or(stated.gain);
     config.errors.offset_K = spec.offset_K;
+    // What is stated is of a reading against its zero: two shutter events.
+    config.errors.shutterOffset_K = stated.offset_K / std::numbers::sqrt2;
+    config.errors.drift_K_min = stated.drift_K_min;
     config.errors.seed = experiment.simulation.seed;
     return config;
 }

@@ -192,6 +192,7 @@ private:
     void noteSettling();
     void trace();
     void traceFrame();
+    void noteShutter();
     void watchCooling();
     bool isSourceCold() const;
     void updateReadiness();
@@ -248,8 +249,9 @@ private:
     RecordEnd m_recordEnd = RecordEnd::ObjectsAndSourceCold;
     bool m_pausedBySafety = false;
     std::optional<double> m_diskFree_MB;
-    std::optional<double> m_tick_s;  ///< time of the previous tick
-    std::optional<double> m_frame_s; ///< time of the last recorded thermal picture
+    std::optional<double> m_tick_s;    ///< time of the previous tick
+    std::optional<double> m_frame_s;   ///< time of the last recorded thermal picture
+    std::optional<double> m_shutter_s; ///< when the thermal camera's shutter was last seen to open
     std::string m_outcome;
     std::string m_operator;
     LoopRecord m_record;

@@ -12,6 +12,7 @@ namespace bask {
 namespace {
 
 constexpr double kSameTime_s = 0.01;
+constexpr double kSameShutter_s = 0.1;             // two clocks do not tell one event alike
 constexpr double kLongestCooling_s = 6.0 * 3600.0; ///< what is never known to be cold is not waited for
 /// share of the clearance; below it the source has come nearer, or the robot obeys late
 constexpr double kTooNear = 0.8;
@@ -48,11 +49,23 @@ void ServoLoop::tick() {
 void ServoLoop::look() {
     m_readings.read();
     m_motion.watch();
+    noteShutter();
     const std::vector<HeatRates>& estimates = m_control.estimates();
     for (std::size_t i = 0; i < estimates.size(); ++i) {
         m_latest.objects[i].lambda1 = estimates[i].lambda1;
         m_latest.objects[i].lambda2 = estimates[i].lambda2;
     }
+}
+
+void ServoLoop::noteShutter() {
+    const ObjectThermometer* const byCamera = m_readings.byCamera();
+    const auto shutter_s = byCamera != nullptr ? byCamera->camera().shutter_s() : std::nullopt;
+    const bool isNew = shutter_s && (!m_shutter_s || *shutter_s > *m_shutter_s + kSameShutter_s);
+    if (!isNew)
+        return;
+    m_shutter_s = shutter_s;
+    if (isRecorded())
+        event(MessageCode::EventShutter);
 }
 
 void ServoLoop::control() {

@@ -43,7 +43,9 @@ struct ThermalView {
     double age_s = 0.0;                            ///< when the view was made
     Message problem;                               ///< such as CameraLost; code None if the camera answers
     LeftOutPictures leftOut;                       ///< so far
-    std::vector<ThermalObjectView> objects;        ///< in the experiment's order
+    std::optional<double> sinceShutter_s{};        ///< until the picture, if its shutter was seen
+    double drift_K = 0.0;                   ///< standard uncertainty of every reading by the drift since
+    std::vector<ThermalObjectView> objects; ///< in the experiment's order
 };
 
 } // namespace bask

@@ -119,6 +119,10 @@ QString ThermalPictureView::statusText() const {
         words << tr("%n picture(s) left out", nullptr, static_cast<int>(m_view.leftOut.count));
     if (m_period_s > 0.0 && sentence().isEmpty())
         words << tr("%1 pictures/s").arg(QLocale().toString(1.0 / m_period_s, 'f', 1));
+    if (m_view.sinceShutter_s)
+        words << tr("shutter %1 ago, drift \u00b1 %2")
+                     .arg(formatDuration(*m_view.sinceShutter_s),
+                          formatDifference(m_view.drift_K, m_unit, 2));
     words << tr("age %1 s").arg(QLocale().toString(age_s(), 'f', age_s() < 1.0 ? 2 : 1));
     return words.join(kBetween);
 }

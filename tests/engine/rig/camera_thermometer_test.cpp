@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
 namespace bask {
 namespace {
@@ -250,6 +251,123 @@ TEST(CameraThermometer, CountsTheDriftFromTheLastShutterEvent) {
     EXPECT_GT(stated_K(178.0), 2.5); // three minutes
     config.thermalCamera->errors.shutterPeriod_s = 0.0;
     EXPECT_GT(stated_K(60.0), 2.9) << "nobody knows when";
+}
+
+// Catches a simulated camera that drifts otherwise than its profile says.
+TEST(CameraThermometer, ItsSimulatedCameraErrsAsItsProfileStates) {
+    Experiment experiment = cameraExperiment();
+    experiment.simulation.thermalCamera->gain.reset();
+    const auto config = *simulatedRigConfig(experiment).thermalCamera;
+    EXPECT_EQ(config.errors.gain, config.profile.uncertainty.gain);
+    EXPECT_EQ(config.errors.drift_K_min, config.profile.uncertainty.drift_K_min);
+    EXPECT_NEAR(std::hypot(config.errors.shutterOffset_K, config.errors.shutterOffset_K),
+                config.profile.uncertainty.offset_K, 1e-12)
+        << "of a reading and of its zero";
+    experiment.simulation.thermalCamera->gain = 0.03;
+    EXPECT_EQ(simulatedRigConfig(experiment).thermalCamera->errors.gain, 0.03);
+}
+
+TEST(CameraThermometer, ShowsHowLongAgoItsShutterWasAndWhatItDriftsBy) {
+    Bench bench(cameraExperiment());
+    bench.heat(230.5);
+    (void)bench.read();
+    const auto view = bench.thermometer->view();
+    ASSERT_TRUE(view->sinceShutter_s);
+    EXPECT_NEAR(*view->sinceShutter_s, 50.0, 1.0);
+    EXPECT_NEAR(view->drift_K, 0.05 * *view->sinceShutter_s / 60.0, 1e-9);
+    EXPECT_NEAR(*bench.thermometer->shutter_s(), 180.5, 1e-6);
+}
+
+/// A camera whose bytes are damaged before they are decoded; where that fails the last frame stays, as of a
+/// live camera.
+class DamagedCamera final : public ThermalCamera {
+public:
+    explicit DamagedCamera(ThermalCamera& camera) : m_camera(camera) {}
+    Result<std::shared_ptr<const ThermalCameraFrame>> newest() override {
+        const auto frame = m_camera.newest();
+        if (!frame || (*frame)->number == m_number)
+            return m_frame;
+        m_number = (*frame)->number;
+        std::string bytes = bytesOfFrame((*frame)->frame.picture, profile());
+        if (damage)
+            damage(bytes);
+        auto decoded = frameOfBytes(bytes, profile(), "damaged");
+        if (decoded)
+            m_frame = std::make_shared<ThermalCameraFrame>(
+                ThermalCameraFrame{(*frame)->time_s, m_number, std::move(*decoded), {}});
+        else
+            refusal = decoded.error().code();
+        return m_frame;
+    }
+    const ThermalProfile& profile() const override { return m_camera.profile(); }
+
+    std::function<void(std::string&)> damage;
+    MessageCode refusal = MessageCode::None;
+
+private:
+    ThermalCamera& m_camera;
+    std::uint64_t m_number = 0;
+    std::shared_ptr<const ThermalCameraFrame> m_frame;
+};
+
+// Catches a number told of pixels that tell nothing, and one of an earlier frame told as if it were of now.
+TEST(CameraThermometer, GivesReasonsAndNoNumbersOfDamagedFrames) {
+    const Experiment experiment = cameraExperiment();
+    Bench bench(experiment);
+    DamagedCamera camera(*bench.rig.thermalCamera());
+    CameraThermometerSetup setup;
+    const PlacedThermalCamera placed = believedThermalCamera(experiment, true).value();
+    setup.camera = placed.lens;
+    setup.X_RC = placed.X_RC;
+    setup.hasShutter = true;
+    setup.objects = experiment.objects;
+    setup.source = experiment.source.shape;
+    setup.geometry = rigGeometry(experiment);
+    setup.reflecting = reflectingRig(experiment);
+    CameraThermometer thermometer(setup, camera, bench.rig.robot(), bench.rig.heatSource(),
+                                  bench.rig.clock());
+    bench.rig.advance(1.0);
+    ASSERT_TRUE(thermometer.read().value()[0].valid);
+    const std::vector<int> pixels = thermometer.view()->objects[0].pixels;
+    ASSERT_GT(pixels.size(), 10U);
+    const auto skipped = static_cast<std::size_t>(2 * camera.profile().width * camera.profile().skipTop);
+    const auto put = [&](std::string& bytes, std::size_t pixel, unsigned number) {
+        bytes.at(skipped + 2 * pixel) = static_cast<char>(number & 0xffU);
+        bytes.at(skipped + 2 * pixel + 1) = static_cast<char>(number >> 8U);
+    };
+    const auto readAfter_s = [&](double time_s) {
+        std::vector<Reading> readings;
+        for (double t_s = 0.0; t_s < time_s - 1e-9; t_s += 0.5) {
+            bench.heat(0.5);
+            readings = thermometer.read().value();
+        }
+        return readings;
+    };
+    const std::size_t one = static_cast<std::size_t>(pixels[pixels.size() / 2]);
+    for (const unsigned number : {0xffffU, 0U}) { // saturated, and colder than it can tell
+        camera.damage = [&](std::string& bytes) { put(bytes, one, number); };
+        const auto readings = readAfter_s(1.0);
+        EXPECT_FALSE(readings[0].valid);
+        EXPECT_EQ(readings[0].reason.code, MessageCode::ThermalPixelsSaturated);
+        EXPECT_TRUE(readings[1].valid) << "the pixel is of another one";
+    }
+    const std::function<void(std::string&)> refused[]{
+        [](std::string& bytes) { bytes.pop_back(); }, [](std::string& bytes) { bytes += bytes; },
+        [](std::string& bytes) { bytes.assign(bytes.size(), 'u'); }}; // of a closed shutter
+    for (const auto& damage : refused) {
+        camera.damage = nullptr;
+        ASSERT_TRUE(readAfter_s(1.0)[0].valid);
+        camera.damage = damage;
+        camera.refusal = MessageCode::None;
+        for (const Reading& reading : readAfter_s(3.0)) {
+            EXPECT_FALSE(reading.valid);
+            EXPECT_EQ(reading.reason.code, MessageCode::ThermalFrameOld);
+        }
+        EXPECT_NE(camera.refusal, MessageCode::None);
+    }
+    camera.damage = nullptr;
+    for (const Reading& reading : readAfter_s(1.0))
+        EXPECT_TRUE(reading.valid) << describe(reading.reason);
 }
 
 // Catches an emittance's own uncertainty that the reading's does not have.

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <random>
 
 namespace bask {
@@ -64,12 +65,13 @@ struct CheckedRun {
         for (double t_s = 0.0; t_s < for_s; t_s += period_s)
             period();
     }
-    /// Returns after how long this alarm is there, s.
-    double until(MessageCode code, double max_s) {
+    /// Returns after how long one of these alarms is there, s.
+    double until(MessageCode code, double max_s) { return until({code}, max_s); }
+    double until(std::initializer_list<MessageCode> codes, double max_s) {
         for (double t_s = 0.0; t_s < max_s; t_s += period_s) {
             period();
             if (std::ranges::any_of(loop.alarmConditions(), [&](const AlarmCondition& condition) {
-                    return condition.message.code == code;
+                    return std::ranges::find(codes, condition.message.code) != codes.end();
                 }))
                 return t_s + period_s;
         }
@@ -113,13 +115,22 @@ TEST(CheckedSensors, OneThatComesOffEndsTheHeatWithinTenSeconds) {
 TEST(CheckedSensors, TwoThatAreSwappedAreBothDoubted) {
     CheckedRun run(checkedExperiment(2));
     ASSERT_TRUE(run.begun);
-    run.run(90.0); // at 80 s, where they differ by less, it takes 11 s
+    run.run(90.0);
     setFault(run.rig, SimulatedFault::SensorsSwapped, 0, true);
-    EXPECT_LE(run.until(MessageCode::SafetySensorsSwapped, 60.0), 10.0);
+    EXPECT_LE(run.until({MessageCode::SafetySensorsSwapped}, 60.0),
+              10.0);
     EXPECT_FALSE(run.loop.heat().isOn());
     EXPECT_EQ(run.loop.sensorTrust(0), SensorTrust::Distrusted);
     EXPECT_EQ(run.loop.sensorTrust(1), SensorTrust::Distrusted);
     EXPECT_EQ(run.loop.sensorTrust(2), SensorTrust::Trusted);
+}
+
+// Catches: a record that does not say when the camera's drift began anew.
+TEST(CheckedSensors, EachLookOfTheCameraAtItsShutterIsAnEvent) {
+    CheckedRun run(checkedExperiment(1));
+    ASSERT_TRUE(run.begun);
+    run.run(400.0);
+    EXPECT_EQ(std::ranges::count(run.events, MessageCode::EventShutter, &Message::code), 2);
 }
 
 // The run goes on: its sensors are right.
