@@ -1904,6 +1904,10 @@
         <translation>«&#xa0;%1&#xa0;» doit être lu par une caméra thermique, et le banc n’en a pas&#xa0;; donnez-en une au banc, ou lisez l’objet par «&#xa0;contact&#xa0;»</translation>
     </message>
     <message>
+        <source>The sensors of &quot;%1&quot; and &quot;%2&quot; seem to be swapped: within the last %3 s their readings changed as if each were on the other object, as the thermal camera sees both. The heat is off. Check both, confirm them, then reset.</source>
+        <translation>Les capteurs de « %1 » et « %2 » semblent échangés : dans les %3 dernières secondes, leurs valeurs ont changé comme si chacun était sur l’autre objet, tels que la caméra thermique les voit. Le chauffage est coupé. Vérifiez les deux, confirmez-les, puis réinitialisez.</translation>
+    </message>
+    <message>
         <source>The sensor of &quot;%1&quot; reads %2, but the thermal camera sees the object at %3, within %4, and no emittance explains that. The sensor may be off its object. The heat is off. Fasten the sensor, confirm it, then reset.</source>
         <translation>Le capteur de «&#xa0;%1&#xa0;» indique %2, mais la caméra thermique voit l’objet à %3, à %4 près, et aucune émissivité n’explique cela. Le capteur est peut-être décollé de son objet. Le chauffage est coupé. Fixez le capteur, confirmez-le, puis réinitialisez.</translation>
     </message>

@@ -1904,6 +1904,10 @@
         <translation>“%1”要由热像仪读取，而装置没有热像仪；请为装置配一台，或以“contact”读取该物体</translation>
     </message>
     <message>
+        <source>The sensors of &quot;%1&quot; and &quot;%2&quot; seem to be swapped: within the last %3 s their readings changed as if each were on the other object, as the thermal camera sees both. The heat is off. Check both, confirm them, then reset.</source>
+        <translation>“%1”和“%2”的传感器似乎互换了：在最近 %3 s 内，从热像仪看，它们读数的变化如同各自在另一物体上。加热已关闭。请检查两者，确认它们，然后复位。</translation>
+    </message>
+    <message>
         <source>The sensor of &quot;%1&quot; reads %2, but the thermal camera sees the object at %3, within %4, and no emittance explains that. The sensor may be off its object. The heat is off. Fasten the sensor, confirm it, then reset.</source>
         <translation>“%1”的传感器读数为 %2，而热像仪看到该物体为 %3（误差在 %4 以内），没有任何发射率能解释。传感器可能已从物体上脱落。加热已关闭。请固定传感器并确认，然后复位。</translation>
     </message>

@@ -1904,6 +1904,10 @@
         <translation>「%1」要由熱像儀讀取，而實驗台沒有熱像儀；請為實驗台配一台，或以「contact」讀取該物體</translation>
     </message>
     <message>
+        <source>The sensors of &quot;%1&quot; and &quot;%2&quot; seem to be swapped: within the last %3 s their readings changed as if each were on the other object, as the thermal camera sees both. The heat is off. Check both, confirm them, then reset.</source>
+        <translation>「%1」和「%2」的感測器似乎互換了：在最近 %3 s 內，從熱像儀看，它們讀數的變化如同各自在另一物體上。加熱已關閉。請檢查兩者，確認它們，然後復歸。</translation>
+    </message>
+    <message>
         <source>The sensor of &quot;%1&quot; reads %2, but the thermal camera sees the object at %3, within %4, and no emittance explains that. The sensor may be off its object. The heat is off. Fasten the sensor, confirm it, then reset.</source>
         <translation>「%1」的感測器讀數為 %2，而熱像儀看到該物體為 %3（誤差在 %4 以內），沒有任何發射率能解釋。感測器可能已從物體上脫落。加熱已關閉。請固定感測器並確認，然後復歸。</translation>
     </message>

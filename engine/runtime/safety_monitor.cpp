@@ -81,6 +81,7 @@ SensorLimits sensorLimits(const Experiment& experiment) {
 
 SafetyMonitor::SafetyMonitor(const Experiment& experiment)
     : m_experiment(experiment), m_opinion(experiment.objects.size(), experiment.sampling.period_s),
+      m_assignment(experiment.objects.size(), experiment.sampling.period_s),
       m_source(experiment.safety, experiment.environment_K),
       m_neighbours(rigGeometry(experiment)->neighbours()), m_coldAfter_s(0.0) {
     const Surroundings surroundings = surroundingsOf(experiment);
@@ -106,6 +107,10 @@ SafetyChanges SafetyMonitor::watch(const SafetyObservation& seen) {
     for (const ObservedObject& object : seen.objects)
         opinions.push_back(object.opinion);
     m_opinion.add(seen.now_s, opinions);
+    if (isHeated(seen))
+        m_assignment.add(seen.now_s, opinions);
+    else
+        m_assignment.reset(); // somebody may exchange them by hand
     noteSwaps(seen);
     for (std::size_t i = 0; i < m_objects.size(); ++i)
         addObject(i, seen);
@@ -198,6 +203,10 @@ void SafetyMonitor::noteSwaps(const SafetyObservation& seen) {
                 std::abs(other.to_K - one.from_K) <= kSwapped_K) {
                 m_objects[i].swappedWith = j;
                 m_objects[j].swappedWith = i;
+            } else if (const auto& seenAs = m_assignment.exchanged();
+                       seenAs && seenAs->one == i && seenAs->other == j) {
+                m_objects[i].seemsSwappedWith = j;
+                m_objects[j].seemsSwappedWith = i;
             } else if (seemSwapped(i, j)) {
                 const auto before = before_s.find({i, j});
                 const double since_s = before != before_s.end() ? before->second : seen.now_s;
@@ -243,9 +252,16 @@ void SafetyMonitor::addSensor(std::size_t i, const SafetyObservation& seen) {
                 i);
         return;
     }
-    if (const auto other = m_objects[i].seemsSwappedWith; other && i < *other)
+    if (const auto other = m_objects[i].seemsSwappedWith; other && i < *other) {
+        const auto& seenAs = m_assignment.exchanged();
+        const bool isByCamera = seenAs && seenAs->one == i && seenAs->other == *other;
         add(Condition::SensorsSwapped,
-            {MessageCode::SafetySensorsSeemSwapped, {name(i), name(*other), formatNumber(kPair_s)}}, i);
+            isByCamera ? Message{MessageCode::SafetySensorsSeenSwapped,
+                                 {name(i), name(*other), formatNumber(std::ceil(seenAs->within_s))}}
+                       : Message{MessageCode::SafetySensorsSeemSwapped,
+                                 {name(i), name(*other), formatNumber(kPair_s)}},
+            i);
+    }
     if (!object.isKnown || !(object.isLost || isJumping))
         return;
     if (object.jump.inARow > 0)
@@ -297,10 +313,12 @@ void SafetyMonitor::confirmSensor(std::size_t object) {
     watch.frozenAt_K.reset();
     watch.quiet.confirm();
     m_opinion.confirm(object);
+    m_assignment.reset();
 }
 
 void SafetyMonitor::atRest(const SafetyObservation& seen) {
     m_opinion.atRest();
+    m_assignment.reset();
     for (std::size_t i = 0; i < m_objects.size(); ++i) {
         m_objects[i].quiet.confirm(); // because their offsets have changed
         if (!seen.objects[i].measured_K)

@@ -7,6 +7,7 @@
 #include "engine/devices/thermometer.h"
 #include "engine/model/experiment.h"
 #include "engine/radiation/neighbours.h"
+#include "engine/runtime/assignment_watch.h"
 #include "engine/runtime/frozen_watch.h"
 #include "engine/runtime/quiet_watch.h"
 #include "engine/runtime/second_opinion.h"
@@ -167,7 +168,7 @@ private:
         TargetWatch target{};
         double target_K = 0.0;                         ///< that is watched
         std::optional<std::size_t> swappedWith{};      ///< as its jump tells
-        std::optional<std::size_t> seemsSwappedWith{}; ///< as the heat of both tells
+        std::optional<std::size_t> seemsSwappedWith{}; ///< as the heat of both tells, or the camera
     };
     void addObject(std::size_t i, const SafetyObservation& seen);
     void noteSwaps(const SafetyObservation& seen);
@@ -201,6 +202,7 @@ private:
     std::vector<ObjectWatch> m_objects;
     std::map<std::pair<std::size_t, std::size_t>, double> m_seemSwapped_s; ///< pairs, since when
     SecondOpinion m_opinion;
+    AssignmentWatch m_assignment;
     SourceWatch m_source;
     Neighbours m_neighbours;
     double m_coldAfter_s; ///< after this time without heat all objects are at the room's temperature

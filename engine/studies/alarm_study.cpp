@@ -170,10 +170,20 @@ private:
         lookAtRun();
     }
 
+    bool areBothSeen() {
+        const Message small{MessageCode::ThermalFaceSmall, {}};
+        return !isUnread(m_drawn.fault.object, small) && !isUnread(otherOfSwapped(), small);
+    }
+
     void lookAtFault(const std::vector<double>& true_K) {
-        if (!m_isFaulty || m_row.acted_s)
+        if (!m_isFaulty)
             return;
         const double now_s = time_s() - m_drawn.fault.time_s;
+        if (m_drawn.fault.fault == SimulatedFault::SensorsSwapped && now_s <= kAlarmSoon_s && areBothSeen())
+            m_row.apartSoon_K = std::max(m_row.apartSoon_K,
+                                         std::abs(true_K[m_drawn.fault.object] - true_K[otherOfSwapped()]));
+        if (m_row.acted_s)
+            return;
         const double of_K = true_K[m_drawn.fault.object];
         bool isShown = true;
         if (m_drawn.fault.fault == SimulatedFault::SensorFrozen) {
@@ -187,8 +197,7 @@ private:
                 m_row.unseen_K = std::max(m_row.unseen_K, std::abs(of_K - told_K));
             isShown = m_row.unseen_K >= kAlarmShown_K;
         } else if (m_drawn.fault.fault == SimulatedFault::SensorsSwapped) {
-            const Message small{MessageCode::ThermalFaceSmall, {}};
-            if (!isUnread(m_drawn.fault.object, small) && !isUnread(otherOfSwapped(), small))
+            if (areBothSeen())
                 m_row.unseen_K = std::max(m_row.unseen_K, std::abs(of_K - true_K[otherOfSwapped()]));
             isShown = m_row.unseen_K >= kAlarmShown_K;
         } else if (m_drawn.fault.fault == SimulatedFault::ObjectHot) {

@@ -30,6 +30,8 @@ inline constexpr double kAlarmShown_K = 10.0;
 /// object cools as its sensor says, by itself or in moving air.
 inline constexpr double kAlarmHeated = 0.01;
 
+inline constexpr double kAlarmSoon_s = 7.0;
+
 /// An alarm that was raised.
 struct RaisedAlarm {
     double time_s = 0.0; ///< since the first Start
@@ -67,7 +69,10 @@ struct AlarmStudyRow {
     std::optional<double> told_s{};  ///< when the first alarm of it was raised, since its start
     std::optional<double> acted_s{}; ///< when an alarm of it was raised and the run was paused or ended
     double unseen_K = 0.0;           ///< largest distance of the faulty sensor from its object until then
-    std::string refusal;             ///< why a run could not be started, in words
+    /// Largest distance of the objects of swapped sensors in the first kAlarmSoon_s, where the camera reads
+    /// both: what it takes to tell them soon.
+    double apartSoon_K = 0.0;
+    std::string refusal; ///< why a run could not be started, in words
 };
 
 /// Errors: rigs from which nothing can be drawn.

@@ -38,7 +38,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AlarmRunFacts, controller, objects, source_K,
                                    fault_s)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RaisedAlarm, time_s, priority, name, sentence, isConsequence, isFalse)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AlarmStudyRow, drawn, simulated_s, alarms, isTripped, overTrip_K,
-                                   overTarget_K, shown_s, told_s, acted_s, unseen_K, refusal)
+                                   overTarget_K, shown_s, told_s, acted_s, unseen_K, apartSoon_K, refusal)
 
 namespace {
 

@@ -117,8 +117,21 @@ TEST(CheckedSensors, TwoThatAreSwappedAreBothDoubted) {
     ASSERT_TRUE(run.begun);
     run.run(90.0);
     setFault(run.rig, SimulatedFault::SensorsSwapped, 0, true);
-    EXPECT_LE(run.until({MessageCode::SafetySensorsSwapped}, 60.0),
+    EXPECT_LE(run.until({MessageCode::SafetySensorsSwapped, MessageCode::SafetySensorsSeenSwapped}, 60.0),
               10.0);
+    EXPECT_FALSE(run.loop.heat().isOn());
+    EXPECT_EQ(run.loop.sensorTrust(0), SensorTrust::Distrusted);
+    EXPECT_EQ(run.loop.sensorTrust(1), SensorTrust::Distrusted);
+    EXPECT_EQ(run.loop.sensorTrust(2), SensorTrust::Trusted);
+}
+
+// Catches: sensors of objects so near one another that only their changes tell them apart, which took 11 s.
+TEST(CheckedSensors, TwoThatAreSwappedAreToldSoonWhereTheirObjectsAreNearlyAsWarm) {
+    CheckedRun run(checkedExperiment(2));
+    ASSERT_TRUE(run.begun);
+    run.run(80.0);
+    setFault(run.rig, SimulatedFault::SensorsSwapped, 0, true);
+    EXPECT_LE(run.until(MessageCode::SafetySensorsSeenSwapped, 60.0), 6.0);
     EXPECT_FALSE(run.loop.heat().isOn());
     EXPECT_EQ(run.loop.sensorTrust(0), SensorTrust::Distrusted);
     EXPECT_EQ(run.loop.sensorTrust(1), SensorTrust::Distrusted);

@@ -15,7 +15,7 @@ namespace bask {
 namespace {
 
 // Numbers of runs with both, of seed 1.
-constexpr int kJumpingRun = 26, kSwappedRun = 28;
+constexpr int kJumpingRun = 26, kSwappedRun = 28, kNearRun = 7;
 
 std::vector<Experiment> rigs(const std::vector<std::string>& names) {
     std::vector<Experiment> out;
@@ -165,6 +165,18 @@ TEST(AlarmStudy, ACameraAloneTellsNothingFalse) {
                        20, ReadBy::Camera});
 }
 
+// Catches swapped sensors that nobody is told of, or late: of objects 0.7 K apart.
+TEST(AlarmStudy, SwappedSensorsOfObjectsNearlyAsWarmAreToldSoonWithACamera) {
+    const auto rows = runAlarmStudy({rigs({"three-objects.json", "three-objects-in-line.json"}),
+                                     AlarmDraw::Faulty, 1, 1, kNearRun, ReadBy::Both},
+                                    1, {});
+    ASSERT_TRUE(rows) << describe(rows.error());
+    const AlarmStudyRow& row = rows->front();
+    ASSERT_EQ(row.drawn.fault, SimulatedFault::SensorsSwapped);
+    EXPECT_LT(row.apartSoon_K, 1.0);
+    EXPECT_LE(row.told_s.value_or(1e9), 10.0);
+}
+
 // Catches swapped sensors that nobody is told of, or late.
 TEST(AlarmStudy, SwappedSensorsAreFoundWithACamera) {
     const auto rows = runAlarmStudy({rigs({"three-objects.json", "three-objects-in-line.json"}),
@@ -211,30 +223,38 @@ TEST(AlarmStudyLong, faultyWithACamera) {
 }
 
 // Catches a second opinion that waits where the camera tells the two objects apart: docs/safety.md has the
-// distribution.
+// distribution. Of objects nearer than 0.7 K nothing tells soon.
 TEST(AlarmStudyLong, swappedWithACamera) {
-    constexpr int kRuns = 200;
-    constexpr double kApart_K = 6.0;
+    constexpr int kRuns = 160;
+    constexpr double kTold_K = 0.7, kPlain_K = 2.0;
     const auto faults = alarmFaults(ReadBy::Both);
     const auto count = static_cast<int>(faults.size());
     const auto swapped =
         static_cast<int>(std::ranges::find(faults, SimulatedFault::SensorsSwapped) - faults.begin());
     const auto drawn = rigs({"three-objects.json", "three-objects-in-line.json"});
-    int apart = 0, soon = 0;
+    int apart = 0, soon = 0, plain = 0, plainSoon = 0;
     for (int k = 0; k < kRuns; ++k) {
-        const auto rows =
-            runAlarmStudy({drawn, AlarmDraw::Faulty, 1, 1, swapped + k * count, ReadBy::Both}, 1, {});
+        const int number = 1 + swapped + k * count; // counted from 1
+        const auto rows = runAlarmStudy({drawn, AlarmDraw::Faulty, 1, 1, number, ReadBy::Both}, 1, {});
         ASSERT_TRUE(rows) << describe(rows.error());
         const AlarmStudyRow& row = rows->front();
         ASSERT_EQ(row.drawn.fault, SimulatedFault::SensorsSwapped);
-        if (row.unseen_K < kApart_K)
-            continue;
-        ++apart;
-        soon += row.told_s.value_or(1e9) <= 10.0 ? 1 : 0;
-        EXPECT_LE(row.told_s.value_or(1e9), 180.0) << "run " << swapped + k * count;
+        const bool isSoon = row.told_s.value_or(1e9) <= 10.0;
+        if (row.apartSoon_K >= kTold_K) {
+            ++apart;
+            soon += isSoon ? 1 : 0;
+        }
+        if (row.apartSoon_K >= kPlain_K) {
+            ++plain;
+            plainSoon += isSoon ? 1 : 0;
+            EXPECT_LE(row.told_s.value_or(1e9), 60.0) << "run " << number;
+        }
     }
-    EXPECT_GT(apart, kRuns / 4);
-    EXPECT_GE(soon, 0.95 * apart);
+    RecordProperty("apart", apart);
+    RecordProperty("told_soon", soon);
+    EXPECT_GT(plain, kRuns / 3);
+    EXPECT_GE(plainSoon, 0.97 * plain);
+    EXPECT_GE(soon, 0.9 * apart);
 }
 
 } // namespace bask
