@@ -18,6 +18,7 @@ constexpr double kUnseen_s = 5.0; // a longer gap begins anew
 constexpr double kSmall_K = 0.1;  // of a change that nothing else makes uncertain
 constexpr double kSumTimes = 3.0; // standard deviations that the sum may be off,
 constexpr double kSumShare = 0.2; // and this share of what an exchange moves
+constexpr double kFarTimes = 3.0; // standard uncertainties that the temperatures may be off
 constexpr double kFitTimes = 3.0; // standard deviations that an exchange may be off itself
 constexpr double kApart_K = 0.7;  // what an exchange has to move at least
 
@@ -115,6 +116,9 @@ std::optional<AssignmentWatch::Change> AssignmentWatch::change(const Watch& watc
     out.before_K = before.contact_K;
     out.after_K = after.contact_K;
     out.leastSeen_K = out.mostSeen_K = after.camera_K[0] - before.camera_K[0];
+    out.leastAfter_K = std::ranges::min(after.camera_K);
+    out.mostAfter_K = std::ranges::max(after.camera_K);
+    out.uncertainty_K = after.uncertainty_K;
     for (std::size_t k = 1; k < kLags_s.size(); ++k) {
         const double seen_K = after.camera_K[k] - before.camera_K[k];
         out.leastSeen_K = std::min(out.leastSeen_K, seen_K);
@@ -137,6 +141,10 @@ double AssignmentWatch::logRatio(const Change& one, const Change& other) {
     const double bothOff_K =
         distance(both_K, one.leastSeen_K + other.leastSeen_K, one.mostSeen_K + other.mostSeen_K);
     if (off_K < kApart_K || bothOff_K > kSumTimes * std::sqrt(variance_K2) + kSumShare * off_K)
+        return 0.0;
+    const double apart_K =
+        distance(after_K, other.leastAfter_K - one.mostAfter_K, other.mostAfter_K - one.leastAfter_K);
+    if (apart_K > kFarTimes * std::hypot(one.uncertainty_K, other.uncertainty_K, kOffset_K))
         return 0.0;
     const auto logLikelihood = [](double off, double variance) {
         return -0.5 * (off * off / variance + std::log(variance));

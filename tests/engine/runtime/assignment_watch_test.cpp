@@ -13,13 +13,13 @@ namespace {
 
 constexpr double kRoom_K = 298.15;
 
-/// Two objects before a camera that is wrong by up to 2 K and, as a wrong emittance makes it, 4 % of what
+/// Two objects before a camera that is wrong by up to 0.5 K and, as a wrong emittance makes it, 4 % of what
 /// they are above what they reflect, with sensors that lag.
 struct Scene {
     explicit Scene(std::uint64_t seed) : random(seed) {
         std::uniform_real_distribution<double> between(-1.0, 1.0);
         for (int i = 0; i < 2; ++i) {
-            off_K[i] = 2.0 * between(random);
+            off_K[i] = 0.5 * between(random);
             gain[i] = 1.0 + 0.04 * between(random);
         }
         lag_s = 2.5 + 2.5 * between(random);
@@ -110,6 +110,19 @@ TEST(AssignmentWatch, SaysNothingOfSensorsInTheirPlaces) {
             one_K = std::max(kRoom_K, one_K + oneRate);
             other_K = std::max(kRoom_K, other_K + otherRate);
             scene.look(one_K, other_K);
+            ASSERT_FALSE(scene.watch.exchanged()) << seed << ", " << k << " s";
+        }
+    }
+}
+
+// Catches: a camera whose error drifts by kelvins within half a minute, beside sensors that agree with it.
+TEST(AssignmentWatch, GoesByTheTemperaturesTooWhereTheyAreFarApart) {
+    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+        Scene scene(seed);
+        for (int k = 0; k < 120; ++k) {
+            scene.off_K[0] -= k > 40 && k < 80 ? 0.04 : 0.0;
+            scene.off_K[1] += k > 40 && k < 80 ? 0.04 : 0.0;
+            scene.look(kRoom_K + 5.0 + 0.06 * k, kRoom_K + 10.0 + 0.04 * k);
             ASSERT_FALSE(scene.watch.exchanged()) << seed << ", " << k << " s";
         }
     }
