@@ -22,8 +22,8 @@ constexpr double kFarTimes = 3.0; // standard uncertainties that the temperature
 constexpr double kFitTimes = 3.0; // standard deviations that an exchange may be off itself
 constexpr double kApart_K = 0.7;  // what an exchange has to move at least
 
-double distance(double value, double least, double most) {
-    return std::max({0.0, least - value, value - most});
+double distance(double value, double min, double max) {
+    return std::max({0.0, min - value, value - max});
 }
 
 } // namespace
@@ -115,14 +115,14 @@ std::optional<AssignmentWatch::Change> AssignmentWatch::change(const Watch& watc
     Change out;
     out.before_K = before.contact_K;
     out.after_K = after.contact_K;
-    out.leastSeen_K = out.mostSeen_K = after.camera_K[0] - before.camera_K[0];
-    out.leastAfter_K = std::ranges::min(after.camera_K);
-    out.mostAfter_K = std::ranges::max(after.camera_K);
+    out.minSeen_K = out.maxSeen_K = after.camera_K[0] - before.camera_K[0];
+    out.minAfter_K = std::ranges::min(after.camera_K);
+    out.maxAfter_K = std::ranges::max(after.camera_K);
     out.uncertainty_K = after.uncertainty_K;
     for (std::size_t k = 1; k < kLags_s.size(); ++k) {
         const double seen_K = after.camera_K[k] - before.camera_K[k];
-        out.leastSeen_K = std::min(out.leastSeen_K, seen_K);
-        out.mostSeen_K = std::max(out.mostSeen_K, seen_K);
+        out.minSeen_K = std::min(out.minSeen_K, seen_K);
+        out.maxSeen_K = std::max(out.maxSeen_K, seen_K);
     }
     const double noise_K2 = steps > 0 ? 0.5 * squares_K2 / steps : 0.0;
     const double excess_K = std::max({1.0, std::abs(before.excess_K), std::abs(after.excess_K)});
@@ -134,33 +134,33 @@ std::optional<AssignmentWatch::Change> AssignmentWatch::change(const Watch& watc
 
 double AssignmentWatch::logRatio(const Change& one, const Change& other) {
     const double before_K = one.before_K - other.before_K, after_K = one.after_K - other.after_K;
-    const double least_K = one.leastSeen_K - other.mostSeen_K, most_K = one.mostSeen_K - other.leastSeen_K;
+    const double min_K = one.minSeen_K - other.maxSeen_K, max_K = one.maxSeen_K - other.minSeen_K;
     const double variance_K2 = one.variance_K2 + other.variance_K2;
-    const double off_K = distance(after_K, before_K + least_K, before_K + most_K);
+    const double off_K = distance(after_K, before_K + min_K, before_K + max_K);
     const double both_K = (one.after_K + other.after_K) - (one.before_K + other.before_K);
     const double bothOff_K =
-        distance(both_K, one.leastSeen_K + other.leastSeen_K, one.mostSeen_K + other.mostSeen_K);
+        distance(both_K, one.minSeen_K + other.minSeen_K, one.maxSeen_K + other.maxSeen_K);
     if (off_K < kApart_K || bothOff_K > kSumTimes * std::sqrt(variance_K2) + kSumShare * off_K)
         return 0.0;
     const double apart_K =
-        distance(after_K, other.leastAfter_K - one.mostAfter_K, other.mostAfter_K - one.leastAfter_K);
+        distance(after_K, other.minAfter_K - one.maxAfter_K, other.maxAfter_K - one.minAfter_K);
     if (apart_K > kFarTimes * std::hypot(one.uncertainty_K, other.uncertainty_K, kOffset_K))
         return 0.0;
     const auto logLikelihood = [](double off, double variance) {
         return -0.5 * (off * off / variance + std::log(variance));
     };
     const double inPlace = logLikelihood(off_K, variance_K2);
-    const auto ratioTo = [&](double least, double most, double variance) {
-        const double off = distance(after_K, least, most);
+    const auto ratioTo = [&](double min, double max, double variance) {
+        const double off = distance(after_K, min, max);
         return off * off > kFitTimes * kFitTimes * variance ? 0.0 : logLikelihood(off, variance) - inPlace;
     };
-    return std::max(ratioTo(-before_K - most_K, -before_K - least_K, variance_K2 + kOffset_K * kOffset_K),
-                    ratioTo(before_K - most_K, before_K - least_K, variance_K2));
+    return std::max(ratioTo(-before_K - max_K, -before_K - min_K, variance_K2 + kOffset_K * kOffset_K),
+                    ratioTo(before_K - max_K, before_K - min_K, variance_K2));
 }
 
 std::optional<ExchangedSensors> AssignmentWatch::likeliest(double now_s) const {
     std::optional<ExchangedSensors> out;
-    double most = kLogRatio;
+    double max = kLogRatio;
     for (const double gap : kGaps_s) {
         const double gap_s = std::max(gap, kGapPeriods * m_period_s);
         std::vector<std::optional<Change>> changes;
@@ -170,8 +170,8 @@ std::optional<ExchangedSensors> AssignmentWatch::likeliest(double now_s) const {
             for (std::size_t j = i + 1; j < changes.size(); ++j) {
                 if (!changes[i] || !changes[j])
                     continue;
-                if (const double ratio = logRatio(*changes[i], *changes[j]); ratio > most) {
-                    most = ratio;
+                if (const double ratio = logRatio(*changes[i], *changes[j]); ratio > max) {
+                    max = ratio;
                     out = ExchangedSensors{i, j, gap_s + std::max(kAfter_s, kAfterPeriods * m_period_s)};
                 }
             }

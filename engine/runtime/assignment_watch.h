@@ -56,11 +56,11 @@ private:
     };
     /// What an object's sensor and the camera told from one window to a later one.
     struct Change {
-        double before_K = 0.0, after_K = 0.0;         ///< means of the sensor's readings
-        double leastSeen_K = 0.0, mostSeen_K = 0.0;   ///< change in the camera, for any lag
-        double variance_K2 = 0.0;                     ///< of what may be wrong in it
-        double leastAfter_K = 0.0, mostAfter_K = 0.0; ///< of the camera itself afterwards, for any lag
-        double uncertainty_K = 0.0;                   ///< of these
+        double before_K = 0.0, after_K = 0.0;      ///< means of the sensor's readings
+        double minSeen_K = 0.0, maxSeen_K = 0.0;   ///< change in the camera, for any lag
+        double variance_K2 = 0.0;                  ///< of what may be wrong in it
+        double minAfter_K = 0.0, maxAfter_K = 0.0; ///< of the camera itself afterwards, for any lag
+        double uncertainty_K = 0.0;                ///< of these
     };
     void take(Watch& watch, double now_s, const CameraOpinion& seen) const;
     std::optional<Change> change(const Watch& watch, double end_s, double gap_s) const;
