@@ -10,6 +10,7 @@
 #include "app/main_window.h"
 #include "app/material_control.h"
 #include "app/monitor_control.h"
+#include "app/page_bar.h"
 #include "app/plot_windows_control.h"
 #include "app/recipe_control.h"
 #include "app/recovery_offer.h"
@@ -87,21 +88,11 @@ void MainWindow::buildLayout() {
 }
 
 void MainWindow::buildNavigation() {
-    m_navigation = new QToolBar;
-    m_navigation->setObjectName(QStringLiteral("navigation"));
-    m_navigation->setMovable(false);
-    m_navigation->setFloatable(false);
-    m_navigation->setContextMenuPolicy(Qt::PreventContextMenu);
-    m_navigation->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
-    m_navigation->setIconSize({26, 26});
-    for (int i = 0; i < kPages; ++i) {
-        m_navigation->addAction(m_actions.page(i));
-        auto* button = qobject_cast<QToolButton*>(m_navigation->widgetForAction(m_actions.page(i)));
-        button->setObjectName(QStringLiteral("page.%1").arg(i));
-        button->setMinimumSize(76, 60);
-        button->setFocusPolicy(Qt::TabFocus);
-        connect(button, &QToolButton::toggled, this, &MainWindow::turnToChosenPage, Qt::QueuedConnection);
-    }
+    auto* pages = new PageBar;
+    m_navigation = pages;
+    for (int i = 0; i < kPages; ++i)
+        connect(pages->addPage(m_actions.page(i)), &QToolButton::toggled, this, &MainWindow::turnToChosenPage,
+                Qt::QueuedConnection);
 }
 
 /// A screen reader toggles a page's button: its action is checked or unchecked by that, and not triggered.

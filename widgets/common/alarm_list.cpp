@@ -7,6 +7,7 @@
 #include "widgets/common/theme.h"
 
 #include <QEvent>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QMenu>
@@ -30,6 +31,7 @@ constexpr int kIdRole = Qt::UserRole;
 constexpr int kRowMark = 16;
 constexpr int kGap = 8;
 constexpr int kIndent = 16;
+constexpr int kLeastTree = 120, kLeastGuidance = 100;
 constexpr int kLowGuidance = 36; // with Home under it no higher than the list
 
 /// A clock.
@@ -75,8 +77,9 @@ void fitRows(QTreeWidgetItem* parent, std::size_t wanted) {
 
 AlarmList::AlarmList(QWidget* parent)
     : QWidget(parent), m_tree(new QTreeWidget(this)), m_guidance(new QTextEdit(this)),
-      m_acknowledge(new QPushButton(this)), m_acknowledgeAll(new QPushButton(this)),
-      m_shelve(new QToolButton(this)), m_home(new QToolButton(this)), m_shelf(new ShelfPopup(this)) {
+      m_buttons(new QGridLayout), m_acknowledge(new QPushButton(this)),
+      m_acknowledgeAll(new QPushButton(this)), m_shelve(new QToolButton(this)), m_home(new QToolButton(this)),
+      m_shelf(new ShelfPopup(this)) {
     setObjectName(QStringLiteral("alarmList"));
     m_tree->setObjectName(QStringLiteral("alarmListTree"));
     m_tree->setColumnCount(kColumns);
@@ -86,7 +89,7 @@ AlarmList::AlarmList(QWidget* parent)
     m_tree->setAllColumnsShowFocus(true);
     m_tree->setFrameShape(QFrame::NoFrame);
     m_tree->setIconSize({kRowMark, kRowMark});
-    m_tree->setMinimumWidth(180);
+    m_tree->setMinimumWidth(kLeastTree);
     m_tree->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // the sentence is elided instead
     m_tree->header()->setStretchLastSection(true);
     m_tree->setContextMenuPolicy(Qt::CustomContextMenu);
@@ -97,7 +100,7 @@ AlarmList::AlarmList(QWidget* parent)
     m_guidance->setReadOnly(true);
     m_guidance->setTabChangesFocus(true);
     m_guidance->setFrameShape(QFrame::NoFrame);
-    m_guidance->setMinimumSize(130, kLowGuidance);
+    m_guidance->setMinimumSize(kLeastGuidance, kLowGuidance);
     m_acknowledge->setObjectName(QStringLiteral("acknowledgeAlarm"));
     m_acknowledgeAll->setObjectName(QStringLiteral("acknowledgeAllAlarms"));
 
@@ -109,14 +112,11 @@ AlarmList::AlarmList(QWidget* parent)
     m_home->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     m_home->hide();
 
-    auto* one = new QHBoxLayout;
-    one->setSpacing(kGap / 2);
-    one->addWidget(m_acknowledge, 1);
-    one->addWidget(m_shelve);
-    auto* buttons = new QVBoxLayout;
-    buttons->addLayout(one);
-    buttons->addWidget(m_acknowledgeAll);
-    buttons->addStretch(1);
+    m_shelve->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
+    m_buttons->setHorizontalSpacing(kGap / 2);
+    m_buttons->setColumnStretch(0, 1);
+    m_buttons->setRowStretch(3, 1);
+    placeButtons(false);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(kGap);
@@ -126,7 +126,7 @@ AlarmList::AlarmList(QWidget* parent)
     words->addWidget(m_guidance, 1);
     words->addWidget(m_home);
     row->addLayout(words, 3);
-    row->addLayout(buttons);
+    row->addLayout(m_buttons);
 
     connect(m_tree, &QTreeWidget::itemSelectionChanged, this, [this] {
         const auto items = m_tree->selectedItems();
@@ -156,6 +156,38 @@ AlarmList::AlarmList(QWidget* parent)
     connect(m_acknowledgeAll, &QPushButton::clicked, this, &AlarmList::acknowledgeAllRequested);
     m_unread.setSingleShot(true);
     retranslateUi();
+}
+
+void AlarmList::arrange() {
+    const bool isNarrow = width() < leastWidth(false);
+    if (isNarrow != m_isNarrow)
+        placeButtons(isNarrow);
+}
+
+void AlarmList::placeButtons(bool isNarrow) {
+    m_isNarrow = isNarrow;
+    for (QWidget* button : std::initializer_list<QWidget*>{m_acknowledge, m_shelve, m_acknowledgeAll})
+        m_buttons->removeWidget(button);
+    m_buttons->addWidget(m_acknowledge, 0, 0, 1, isNarrow ? 2 : 1);
+    m_buttons->addWidget(m_shelve, isNarrow ? 1 : 0, isNarrow ? 0 : 1, 1, isNarrow ? 2 : 1);
+    m_buttons->addWidget(m_acknowledgeAll, isNarrow ? 2 : 1, 0, 1, 2);
+}
+
+int AlarmList::leastWidth(bool isNarrow) const {
+    const int one = m_acknowledge->minimumSizeHint().width(), shelve = m_shelve->minimumSizeHint().width(),
+              all = m_acknowledgeAll->minimumSizeHint().width();
+    const int buttons = std::max(all, isNarrow ? std::max(one, shelve) : one + kGap / 2 + shelve);
+    const QMargins margins = contentsMargins();
+    return margins.left() + kLeastTree + kGap + kLeastGuidance + kGap + buttons + margins.right();
+}
+
+QSize AlarmList::minimumSizeHint() const {
+    return {leastWidth(true), QWidget::minimumSizeHint().height()};
+}
+
+void AlarmList::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    arrange();
 }
 
 void AlarmList::setAlarms(const std::vector<Alarm>& alarms) {
@@ -457,8 +489,10 @@ void AlarmList::retranslateUi() {
 
 void AlarmList::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange)
+    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange) {
         retranslateUi();
+        arrange();
+    }
 }
 
 } // namespace bask

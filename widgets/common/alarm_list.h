@@ -15,6 +15,7 @@
 #include <set>
 #include <vector>
 
+class QGridLayout;
 class QMenu;
 class QPushButton;
 class QTextEdit;
@@ -52,6 +53,9 @@ public:
     /// Selects the alarm because a person asked for it, and moves the keyboard focus there.
     void choose(std::uint64_t id);
 
+    /// Of the narrower arrangement.
+    QSize minimumSizeHint() const override;
+
 signals:
     void acknowledgeRequested(quint64 id);
     void acknowledgeAllRequested();
@@ -62,8 +66,12 @@ signals:
 
 protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
+    void arrange();
+    void placeButtons(bool isNarrow);
+    int leastWidth(bool isNarrow) const;
     void showRows();
     void showGroup(QTreeWidgetItem* item, const AlarmGroup& group);
     void showShelf(QTreeWidgetItem* item);
@@ -98,6 +106,8 @@ private:
     std::optional<std::uint64_t> m_shownId{};    ///< its alarm
     QTreeWidget* m_tree;
     QTextEdit* m_guidance;
+    bool m_isNarrow = false;
+    QGridLayout* m_buttons; ///< two beside each other, or where there is little room each below another
     QPushButton* m_acknowledge;
     QPushButton* m_acknowledgeAll;
     QToolButton* m_shelve;

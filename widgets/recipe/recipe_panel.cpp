@@ -2,6 +2,7 @@
 
 #include "engine/base/message_code.h"
 #include "widgets/common/display.h"
+#include "widgets/common/scrolling.h"
 #include "widgets/common/theme.h"
 #include "widgets/recipe/recipe_step_dialog.h"
 #include "widgets/recipe/recipe_words.h"
@@ -13,6 +14,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QToolButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
@@ -134,12 +136,16 @@ void RecipePanel::build() {
     verbs->addWidget(m_state, 1);
     for (QWidget* widget : std::initializer_list<QWidget*>{m_session, m_start, m_stopAfter, m_stopNow})
         verbs->addWidget(widget);
-    auto* column = new QVBoxLayout(this);
+    auto* inside = new QWidget;
+    auto* column = new QVBoxLayout(inside);
     column->setContentsMargins(8, 4, 8, 4);
     column->setSpacing(4);
     column->addWidget(m_edits);
     column->addWidget(m_tree, 1);
     column->addLayout(verbs);
+    auto* all = new QVBoxLayout(this);
+    all->setContentsMargins(0, 0, 0, 0);
+    all->addWidget(scrolled(inside)); // in a small window its buttons have no room beside each other
 }
 
 void RecipePanel::show(const RecipeView& view) {

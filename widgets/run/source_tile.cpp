@@ -167,7 +167,9 @@ void SourceTile::restyle() {
     m_temperature->setFont(big);
     // Widths of the longest figures, so that nothing moves while the numbers run.
     const QFontMetrics metrics(font());
-    m_temperature->setMinimumWidth(QFontMetrics(big).horizontalAdvance(QStringLiteral("000.0\u00a0\u00b0C")));
+    constexpr int kEdges = 2; // a label wants a little more than its text
+    m_temperature->setMinimumWidth(kEdges +
+                                   QFontMetrics(big).horizontalAdvance(QStringLiteral("000.0\u00a0\u00b0C")));
     m_setPoint->setMinimumWidth(metrics.horizontalAdvance(QStringLiteral("000.0\u00a0\u00b0C")));
     m_rate->setMinimumWidth(metrics.horizontalAdvance(QStringLiteral("+00.0\u00a0K/min")));
     m_stateIcon->clear();
@@ -189,7 +191,7 @@ void SourceTile::changeEvent(QEvent* event) {
     QFrame::changeEvent(event);
     if (event->type() == QEvent::LanguageChange)
         retranslateUi();
-    else if (event->type() == QEvent::PaletteChange)
+    else if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
         restyle();
 }
 
