@@ -10,6 +10,7 @@
 #include "widgets/calibrate/thermal_panel.h"
 #include "widgets/common/folding_splitter.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/upright_scroll.h"
 #include "widgets/thermal/thermal_picture_view.h"
 
 #include <QComboBox>
@@ -75,7 +76,6 @@ CalibratePage::CalibratePage(QWidget* parent)
     m_choiceLabel->setBuddy(m_choice);
     m_tabs->setObjectName("calibrateTabs");
     m_tabs->setDocumentMode(true);
-    m_tabs->setMinimumWidth(kPanelWidth);
     const auto scrollFrom = [](auto* panel, QScrollArea* scroll) {
         using Panel = std::remove_pointer_t<decltype(panel)>;
         connect(panel, &Panel::attentionWanted, scroll, [scroll](QWidget* part) {
@@ -180,12 +180,7 @@ QScrollArea* CalibratePage::addPanel(QWidget* panel, const char* name) {
     auto* inside = new QVBoxLayout(content);
     inside->setContentsMargins(8, 10, 8, 8);
     inside->addWidget(panel);
-    auto* scroll = new QScrollArea(this);
-    scroll->setWidget(content);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setFocusPolicy(Qt::NoFocus);
+    auto* scroll = new UprightScroll(content, this, kPanelWidth);
     m_tabs->addTab(scroll, panel->windowTitle());
     connect(panel, &QWidget::windowTitleChanged, m_tabs,
             [this, scroll](const QString& title) { m_tabs->setTabText(m_tabs->indexOf(scroll), title); });

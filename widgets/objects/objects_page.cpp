@@ -9,6 +9,7 @@
 #include "widgets/common/labels.h"
 #include "widgets/common/message_bar.h"
 #include "widgets/common/theme.h"
+#include "widgets/common/upright_scroll.h"
 #include "widgets/objects/air_form.h"
 #include "widgets/objects/harmonics_panel.h"
 #include "widgets/objects/import_panel.h"
@@ -47,6 +48,7 @@ constexpr int kImportHarmonics = 20;
 constexpr double kNewDiskRadius_m = 0.015;
 constexpr double kMountingGap_m = 0.005;
 constexpr int kRemarkLines = 5, kListLines = 9;
+constexpr int kForm = 310; // px, at least
 constexpr int kOutlineTab = 0, kMountingTab = 1;
 
 QString fileSentence(const QString& path, const Error& error) {
@@ -227,13 +229,7 @@ QWidget* ObjectsPage::buildRight() {
     layout->addWidget(m_air);
     layout->addStretch(1);
 
-    m_form = new QScrollArea(this);
-    m_form->setWidget(content);
-    m_form->setWidgetResizable(true);
-    m_form->setFrameShape(QFrame::NoFrame);
-    m_form->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_form->setMinimumWidth(310);
-    m_form->setFocusPolicy(Qt::NoFocus);
+    m_form = new UprightScroll(content, this, kForm);
     return m_form;
 }
 

@@ -58,6 +58,7 @@ MetricsPanel::MetricsPanel(QWidget* parent)
     m_table->installEventFilter(this);
     m_details->setObjectName(QStringLiteral("metricsDetails"));
     m_details->setTextFormat(Qt::RichText);
+    m_details->setWordWrap(true);
     m_details->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 4);

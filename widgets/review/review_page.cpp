@@ -61,7 +61,6 @@ ReviewPage::ReviewPage(QWidget* parent) : QWidget(parent), m_sessions(new Sessio
     left->addWidget(m_sessions);
     left->addWidget(buildDetails());
     left->setSizes({300, 260});
-    left->setMinimumWidth(260);
     auto* right = new QWidget(this);
     m_stack = new QStackedWidget(right);
     m_stack->addWidget(buildEmpty());

@@ -7,6 +7,7 @@
 #include "widgets/common/floating_place.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/message_bar.h"
+#include "widgets/common/upright_scroll.h"
 #include "widgets/rig/check_list.h"
 #include "widgets/rig/device_console.h"
 #include "widgets/rig/device_dialog.h"
@@ -69,13 +70,7 @@ QScrollArea* RigPage::scrolled(QWidget* content) {
     column->setContentsMargins(2, 8, 8, 4);
     column->addWidget(content);
     column->addStretch(1);
-    auto* scroll = new QScrollArea(this);
-    scroll->setWidget(inside);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setFocusPolicy(Qt::NoFocus);
-    return scroll;
+    return new UprightScroll(inside, this);
 }
 
 QWidget* RigPage::buildLeft() {
