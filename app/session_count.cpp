@@ -1,5 +1,7 @@
 #include "app/session_count.h"
 
+#include "engine/model/trace_sample.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -12,8 +14,7 @@ constexpr std::size_t kMaxOfWay = 10'000; // samples; nobody could tell more of 
 /// The larger one of a share and those of a sample.
 double largerShade(double shade, const TraceSample& sample) {
     for (const ObjectSample& object : sample.objects)
-        if (object.unshadedViewFactor > 0.0) // not NaN, of an older file
-            shade = std::fmax(shade, 1.0 - object.viewFactor / object.unshadedViewFactor);
+        shade = std::fmax(shade, shadedShare(object)); // the other one where one is NaN
     return shade;
 }
 

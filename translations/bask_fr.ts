@@ -138,6 +138,14 @@
         <translation>Facteur de forme de la source vue de chaque objet.</translation>
     </message>
     <message>
+        <source>Shade</source>
+        <translation>Ombre</translation>
+    </message>
+    <message>
+        <source>Share of the source's light that other objects, fixtures and shields take from each object.</source>
+        <translation>Part de la lumière de la source que d’autres objets, supports et écrans prennent à chaque objet.</translation>
+    </message>
+    <message>
         <source>Estimated λ₁</source>
         <translation>λ₁ estimé</translation>
     </message>
@@ -11554,6 +11562,10 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
     <message>
         <source>This controller does not estimate λ₁.</source>
         <translation>Ce régulateur n’estime pas λ₁.</translation>
+    </message>
+    <message>
+        <source>Nothing has shaded an object.</source>
+        <translation>Rien n’a fait d’ombre à un objet.</translation>
     </message>
     <message>
         <source>Time since Start (h)</source>

@@ -138,6 +138,14 @@
         <translation>各物体对热源的角系数。</translation>
     </message>
     <message>
+        <source>Shade</source>
+        <translation>遮挡</translation>
+    </message>
+    <message>
+        <source>Share of the source's light that other objects, fixtures and shields take from each object.</source>
+        <translation>其他物体、夹具和遮板从各物体挡去的热源光的份额。</translation>
+    </message>
+    <message>
         <source>Estimated λ₁</source>
         <translation>估计的 λ₁</translation>
     </message>
@@ -11526,6 +11534,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <message>
         <source>This controller does not estimate λ₁.</source>
         <translation>此控制器不估计 λ₁。</translation>
+    </message>
+    <message>
+        <source>Nothing has shaded an object.</source>
+        <translation>没有物体被遮挡。</translation>
     </message>
     <message>
         <source>Time since Start (h)</source>

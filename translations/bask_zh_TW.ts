@@ -138,6 +138,14 @@
         <translation>各物體對熱源的角係數。</translation>
     </message>
     <message>
+        <source>Shade</source>
+        <translation>遮擋</translation>
+    </message>
+    <message>
+        <source>Share of the source's light that other objects, fixtures and shields take from each object.</source>
+        <translation>其他物體、夾具和遮板從各物體擋去的熱源光的份額。</translation>
+    </message>
+    <message>
         <source>Estimated λ₁</source>
         <translation>估計的 λ₁</translation>
     </message>
@@ -11526,6 +11534,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <message>
         <source>This controller does not estimate λ₁.</source>
         <translation>此控制器不估計 λ₁。</translation>
+    </message>
+    <message>
+        <source>Nothing has shaded an object.</source>
+        <translation>沒有物體被遮擋。</translation>
     </message>
     <message>
         <source>Time since Start (h)</source>

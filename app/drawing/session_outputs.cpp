@@ -45,8 +45,8 @@ Result<std::vector<std::string>> exportFigures(const SessionRecord& session, con
     if (!files)
         return files.error();
     const RunFigures figures(session, unit, layout);
-    ShareCount count(told, static_cast<double>(runFigures().size() * std::size(kFigureFormats)));
-    for (const RunFigure figure : runFigures())
+    ShareCount count(told, static_cast<double>(runFigures(session).size() * std::size(kFigureFormats)));
+    for (const RunFigure figure : runFigures(session))
         for (const FigureFormat format : kFigureFormats) {
             const std::string name = runFigureStem(figure) + figureEnding(format);
             auto done = checkOwn(files->target(name), kRunFigureMark,

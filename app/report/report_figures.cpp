@@ -1,6 +1,7 @@
 #include "app/report/report_figures.h"
 
 #include "engine/base/message_code.h"
+#include "engine/model/mounting_check.h"
 #include "widgets/common/display.h"
 #include "widgets/plots/figure_paths.h"
 #include "widgets/plots/figure_traces.h"
@@ -68,10 +69,11 @@ std::vector<int> markedEvents(const std::vector<TraceEvent>& events) {
     return numbers;
 }
 
-std::vector<RunFigure> runFigures() {
+std::vector<RunFigure> runFigures(const SessionRecord& session) {
     std::vector<RunFigure> figures{Quantity::Temperature, Quantity::Error, Quantity::Speed};
     for (const Quantity quantity : furtherQuantities())
-        if (quantity != Quantity::Error && !quantityCaption(quantity).isEmpty())
+        if (quantity != Quantity::Error && !quantityCaption(quantity).isEmpty() &&
+            (quantity != Quantity::Shade || mayShade(session.experiment)))
             figures.emplace_back(quantity);
     figures.emplace_back(std::nullopt);
     return figures;

@@ -18,8 +18,8 @@ namespace bask {
 
 /// A quantity over time; empty for the trajectories.
 using RunFigure = std::optional<Quantity>;
-/// Returns all figures in the order of the report.
-std::vector<RunFigure> runFigures();
+/// Returns all figures of a run in the order of the report; that of the shade where there can be some.
+std::vector<RunFigure> runFigures(const SessionRecord& session);
 
 /// Returns "temperatures": a file name without its suffix, the same in every language.
 std::string runFigureStem(RunFigure figure);

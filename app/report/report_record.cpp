@@ -345,8 +345,7 @@ struct SeenShade {
         F += object.viewFactor;
         unshaded += object.unshadedViewFactor;
         ++samples;
-        if (object.unshadedViewFactor > 0.0)
-            largestShare = std::max(largestShare, 1.0 - object.viewFactor / object.unshadedViewFactor);
+        largestShare = std::fmax(largestShare, shadedShare(object)); // the other one where one is NaN
     }
 };
 

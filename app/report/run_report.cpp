@@ -86,7 +86,7 @@ QString body(const RunReportInput& input, bool isPaper) {
         text += QStringLiteral("<h2%1>%2</h2>\n")
                     .arg(isPaper ? QStringLiteral(" style=\"page-break-before:always\"") : QString(),
                          Words::tr("Traces and trajectories").toHtmlEscaped());
-        for (const RunFigure figure : runFigures()) {
+        for (const RunFigure figure : runFigures(session)) {
             const QString caption = runFigureCaption(figure, session, input.unit).toHtmlEscaped();
             text +=
                 QStringLiteral("<div><img src=\"figure:%1\" alt=\"%2\"%3></div>\n<p class=\"quiet\">%2</p>\n")
@@ -114,7 +114,7 @@ public:
         m_document.setPageSize({kWidth, kHeight});
         if (!input.session.samples.empty()) {
             const RunFigures figures(input.session, input.unit);
-            for (const RunFigure figure : runFigures())
+            for (const RunFigure figure : runFigures(input.session))
                 m_document.addResource(
                     QTextDocument::ImageResource,
                     QUrl(QStringLiteral("figure:%1").arg(QString::fromStdString(runFigureStem(figure)))),
@@ -164,7 +164,7 @@ QByteArray runReportHtml(const RunReportInput& input) {
     QString text = body(input, false);
     if (!input.session.samples.empty()) {
         const RunFigures figures(input.session, input.unit);
-        for (const RunFigure figure : runFigures())
+        for (const RunFigure figure : runFigures(input.session))
             text.replace(
                 QStringLiteral("src=\"figure:%1\"").arg(QString::fromStdString(runFigureStem(figure))),
                 QStringLiteral("src=\"data:image/png;base64,%1\"")

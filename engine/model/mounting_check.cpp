@@ -220,6 +220,10 @@ std::vector<MountingRemark> shadeRemarks(const Experiment& experiment, const Vec
     return out;
 }
 
+bool mayShade(const Experiment& experiment) {
+    return rigGeometry(experiment)->mayShade();
+}
+
 std::vector<MountingRemark> mountingRemarks(const Experiment& experiment) {
     Experiment quick = experiment;
     const std::vector<ObjectSpec>& objects = quick.objects;

@@ -39,6 +39,9 @@ std::vector<MountingRemark> overlapsInPlane(const Experiment& experiment);
 std::vector<MountingRemark> shadeRemarks(const Experiment& experiment, const Vector6d& pose,
                                          ShadedPose which);
 
+/// Returns whether an object may be in the shade of another one, a fixture or a shield at some pose.
+bool mayShade(const Experiment& experiment);
+
 /// Returns the shape for drawings and remarks: a polygon of many points simplified to 0.2 mm, others
 /// unchanged.
 Shape thinned(const Shape& shape);

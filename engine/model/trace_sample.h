@@ -43,6 +43,14 @@ struct ObjectSample {
     CameraSample camera;             ///< what the thermal camera tells of it
 };
 
+/// Returns the share of its light from the source that other objects and screens take from an object, in
+/// [0, 1]; NaN if it is not known, or without them no light would come.
+inline double shadedShare(const ObjectSample& object) {
+    if (!(object.unshadedViewFactor > 0.0) || !std::isfinite(object.viewFactor))
+        return std::numeric_limits<double>::quiet_NaN();
+    return std::clamp(1.0 - object.viewFactor / object.unshadedViewFactor, 0.0, 1.0);
+}
+
 /// Returns the temperature for judging a result: the plant's own temperature if it is known, else the
 /// estimate.
 inline double judgedTemperature_K(const ObjectSample& object) {
@@ -70,6 +78,7 @@ enum class Quantity : std::uint8_t {
     Rate,     ///< dT/dt
     Strength, ///< the controller's estimate of lambda1, K/s
     Speed,    ///< commanded; of the run, two series: translation and rotation
+    Shade,    ///< share of the view factor that the other objects take
 };
 
 /// What a rig needs to have a value.
@@ -244,6 +253,16 @@ inline constexpr std::array kObjectColumns{
                  .nexus = NexusLog{"view_factor_unshaded",
                                    "view factor of the source from the object, if no other object shaded it"},
                  .vtk = "view_factor_unshaded"},
+    ObjectColumn{.key = "shade",
+                 .unit = unit::kShareInPercent,
+                 .value = {shadedShare},
+                 .plot = Quantity::Shade,
+                 .label = QT_TRANSLATE_NOOP("Column", "Shade"),
+                 .title = QT_TRANSLATE_NOOP("Column", "Shade"),
+                 .caption = QT_TRANSLATE_NOOP(
+                     "Column", "Share of the source's light that other objects, fixtures and shields take "
+                               "from each object."),
+                 .decimals = 1},
     ObjectColumn{.key = "lambda1_K_s",
                  .unit = unit::kKelvinPerSecond,
                  .value = kOfObject<&ObjectSample::lambda1>,

@@ -164,6 +164,15 @@ bool TraceOverview::hasValues(Quantity quantity) const {
     return false;
 }
 
+double TraceOverview::largest(Quantity quantity) const {
+    const std::size_t count = seriesCount(quantity, m_objects);
+    Extremes all;
+    for (std::size_t k = 0; k < m_spans.size(); ++k)
+        for (std::size_t i = 0; i < count; ++i)
+            all.include(extremes(quantity, i, k));
+    return all.max;
+}
+
 std::string TraceOverview::bytes() const {
     std::string out;
     for (std::size_t k = 0; k < m_samples / m_perStretch; ++k) {

@@ -61,6 +61,7 @@ public:
     std::size_t stretchAt(double time_s) const;
     const Extremes& extremes(Quantity quantity, std::size_t series, std::size_t stretch) const;
     bool hasValues(Quantity quantity) const; ///< whether any line ever has a value
+    double largest(Quantity quantity) const; ///< value of any line; NaN if there is none
 
     /// Returns the complete stretches as bytes, and reads them back, in the format of docs/session-format.md.
     /// Bytes from before the last quantities were added have only the first ones. Reading returns false if

@@ -409,6 +409,20 @@ TEST_F(RunReport, RefusesInWordsAndLeavesNothingBehind) {
     report(session); // its own is replaced
 }
 
+// Catches: shade that the figures and the report of a run leave out.
+TEST_F(RunReport, ShadeHasAFigureWhereThereCanBeSome) {
+    Experiment experiment = test::twoDisks();
+    experiment.objects[1].mounting = experiment.objects[0].mounting;
+    experiment.objects[1].mounting[kZ] = -0.02;
+    const QString session = recorded(experiment, 240, "settled");
+    const auto done = test::captured(exportCommand, {session, "--figures", path("figures")});
+    ASSERT_EQ(done.code, kExitDone) << done.err;
+    QFile shade(path("figures/shade.svg"));
+    ASSERT_TRUE(shade.open(QIODevice::ReadOnly));
+    EXPECT_TRUE(shade.readAll().contains("Shade (%)"));
+    EXPECT_TRUE(report(session).contains("take from each object"));
+}
+
 TEST_F(RunReport, FiguresAreDrawnInThreeFormatsWithChineseLetters) {
     Experiment experiment = test::twoDisks();
     experiment.objects[0].name = "\xE9\x93\x9D\xE7\x89\x87";
@@ -416,6 +430,7 @@ TEST_F(RunReport, FiguresAreDrawnInThreeFormatsWithChineseLetters) {
     const auto done = test::captured(exportCommand, {session, "--figures", path("figures")});
     ASSERT_EQ(done.code, kExitDone) << done.err;
     EXPECT_EQ(QDir(path("figures")).entryList(QDir::Files).size(), 15 + 1) << "and what describes them";
+    EXPECT_FALSE(QFile::exists(path("figures/shade.svg"))) << "the disks lie in one plane";
     QFile svg(path("figures/temperatures.svg")), pdf(path("figures/temperatures.pdf"));
     ASSERT_TRUE(svg.open(QIODevice::ReadOnly) && pdf.open(QIODevice::ReadOnly));
     EXPECT_TRUE(svg.readAll().contains("\xE9\x93\x9D\xE7\x89\x87")) << "letters, not outlines";

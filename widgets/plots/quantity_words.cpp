@@ -102,8 +102,8 @@ QString textWith(int decimals, double si, Quantity quantity, std::size_t series,
 } // namespace
 
 std::vector<Quantity> furtherQuantities() {
-    std::vector<Quantity> out{Quantity::Error, Quantity::ViewFactor, Quantity::Speed, Quantity::Rate,
-                              Quantity::Strength};
+    std::vector<Quantity> out{Quantity::Error, Quantity::ViewFactor, Quantity::Shade,
+                              Quantity::Speed, Quantity::Rate,       Quantity::Strength};
     for (std::size_t q = out.size() + 1; q < quantityCount(); ++q)
         out.push_back(static_cast<Quantity>(q));
     return out;

@@ -333,6 +333,8 @@ std::pair<double, double> TracePlot::Canvas::wantedValueRange() const {
             include(100.0);
         if (quantity == Quantity::ViewFactor)
             smallest = 0.1;
+        if (quantity == Quantity::Shade)
+            include(5.0);
         break;
     }
     if (!(low <= high)) // nothing to show yet

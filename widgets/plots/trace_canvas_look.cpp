@@ -4,6 +4,7 @@
 #include "widgets/plots/quantity_words.h"
 #include "widgets/plots/trace_canvas.h"
 
+#include "engine/radiation/mounted_objects.h"
 #include "widgets/common/display.h"
 #include "widgets/common/theme.h"
 
@@ -199,6 +200,8 @@ void TracePlot::Canvas::updateEmptyText() {
                            : TracePlot::tr("No samples yet. Traces begin with Start.");
     } else if (quantity == Quantity::Strength && !traces->hasValues(quantity)) {
         text = TracePlot::tr("This controller does not estimate \u03bb\u2081.");
+    } else if (quantity == Quantity::Shade && !(traces->largest(quantity) >= kMinToldShare)) {
+        text = TracePlot::tr("Nothing has shaded an object.");
     }
     const int room = std::max(axisRect()->width(), width() / 2); // it has none before the first layout
     m_empty->setText(inLines(text, font(), room));

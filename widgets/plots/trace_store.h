@@ -51,6 +51,8 @@ public:
     /// rad/s.
     double value(Quantity quantity, std::size_t series, std::size_t row) const;
     bool hasValues(Quantity quantity) const { return overview().hasValues(quantity); }
+    /// Returns the largest value of all lines of the whole run, in SI; NaN if there is none.
+    double largest(Quantity quantity) const { return overview().largest(quantity); }
 
     /// Returns the newest row at or before a time, as a replay shows it, else the first; rows() if there is
     /// none.

@@ -1,5 +1,6 @@
 #include "widgets/review/replay_view.h"
 
+#include "engine/model/mounting_check.h"
 #include "widgets/common/marker_words.h"
 #include "widgets/common/object_tile.h"
 #include "widgets/common/theme.h"
@@ -81,8 +82,11 @@ ReplayView::ReplayView(QWidget* parent)
     m_tabs->setObjectName(QStringLiteral("reviewTabs"));
     m_tabs->setDocumentMode(true);
     m_tabs->setUsesScrollButtons(true);
-    for (const Quantity quantity : furtherQuantities())
-        m_tabs->addTab(makePlot(quantity), QString());
+    for (const Quantity quantity : furtherQuantities()) {
+        const int tab = m_tabs->addTab(makePlot(quantity), QString());
+        if (quantity == Quantity::Shade)
+            m_shadeTab = tab;
+    }
     m_sceneTab = new QWidget(m_tabs);
     (new QVBoxLayout(m_sceneTab))->setContentsMargins(0, 0, 0, 0);
     m_tabs->addTab(m_sceneTab, QString());
@@ -163,6 +167,7 @@ void ReplayView::setRun(std::shared_ptr<RecordedSession> run) {
         each.plot->setSpeedLimits({robot.maxSpeed_m_s, robot.maxRotation_rad_s});
         each.plot->setPosition(std::nullopt);
     }
+    m_tabs->setTabVisible(m_shadeTab, mayShade(m_run->facts().experiment));
     showPictureTab();
     fillScene();
     fill(m_plots.front());

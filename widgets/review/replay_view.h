@@ -29,7 +29,8 @@ class TracePlot;
 class TransportBar;
 
 /// Object names: those of TransportBar; tiles "reviewTile.<i>"; plots "review." and the key of their column
-/// or "speed" ("review.measured_K"), their tabs "reviewTabs"; "reviewScene" once it was looked at;
+/// or "speed" ("review.measured_K"), their tabs "reviewTabs", that of "review.shade" where an object may be
+/// in the shade of another; "reviewScene" once it was looked at;
 /// "reviewPicture" of a run with thermal pictures; with overlays those of ComparisonView, a button to
 /// take each away "overlay.<letter>", and "overlayExport".
 class ReplayView : public QWidget {
@@ -123,6 +124,7 @@ private:
     TileGrid* m_tiles;
     std::vector<Plot> m_plots; ///< temperature first, then the tabs' in order
     QTabWidget* m_tabs = nullptr;
+    int m_shadeTab = -1;
     QWidget* m_sceneTab;
     SceneView* m_scene = nullptr;
     ThermalPictureView* m_picture; ///< in no tab without thermal pictures

@@ -1,6 +1,7 @@
 #include "widgets/run/run_page.h"
 
 #include "engine/base/message_code.h"
+#include "engine/model/mounting_check.h"
 #include "widgets/common/device_words.h"
 #include "widgets/common/display.h"
 #include "widgets/common/elided_label.h"
@@ -52,8 +53,8 @@ double toldSameFor_s(const std::vector<Alarm>& alarms, const std::string& object
 
 /// The share of the source that the others hide from an object, in whole percent; 0 if it is not known.
 int shade_percent(const ObjectSample& object) {
-    const double share = 1.0 - object.viewFactor / object.unshadedViewFactor;
-    return object.unshadedViewFactor > 0.0 && std::isfinite(share) ? qRound(100.0 * share) : 0;
+    const double share = shadedShare(object);
+    return std::isfinite(share) ? qRound(100.0 * share) : 0;
 }
 
 /// "speed, workspace x".
@@ -104,6 +105,7 @@ void RunPage::setExperiment(const Experiment& experiment) {
     m_thermal->setNames(m_names);
     m_thermal->setView({});
     showThermalTab(thermalProfile(experiment, !experiment.rig).has_value());
+    m_tabs->setTabVisible(m_shadeTab, mayShade(experiment));
     m_controller->setSettings(experiment.controller);
     m_runId.reset();
     beginTrace();

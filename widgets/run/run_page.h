@@ -36,7 +36,8 @@ class TracePlot;
 
 /// Shows what snapshots say and never anything else. Object names: "runPage"; tiles "objectTile.<i>" and
 /// "sourceTile"; plots "plot." and the key of their column or "speed" ("plot.measured_K"), their tabs
-/// "plotTabs", the last of which is "thermalPictureView" for a rig with a thermal camera; "followLive",
+/// "plotTabs", the last of which is "thermalPictureView" for a rig with a thermal camera, and among which
+/// "plot.shade" is where an object may be in the shade of another; "followLive",
 /// "followWindow", "showPrediction", "jumpToLive"; "runScene", "viewTop", "viewSide", "viewIsometric";
 /// "activeLimits"; "controllerPanel" (see there); "noteEdit", "noteAdd"; "simulationSpeed".
 class RunPage : public QWidget {
@@ -120,6 +121,7 @@ private:
     std::vector<TracePlot*> m_plots; ///< temperature first, then those of the tabs
     std::vector<PlotPlace*> m_places;
     QTabWidget* m_tabs = nullptr;
+    int m_shadeTab = -1;
     ThermalPictureView* m_thermal = nullptr; ///< in no tab without a thermal camera
     QCheckBox* m_follow = nullptr;
     QLabel* m_windowLabel = nullptr;

@@ -122,8 +122,11 @@ QWidget* RunPage::makePlots() {
     m_tabs->setObjectName(QStringLiteral("plotTabs"));
     m_tabs->setDocumentMode(true);
     m_tabs->setUsesScrollButtons(true);
-    for (const Quantity quantity : furtherQuantities())
-        m_tabs->addTab(makePlot(quantity), QString());
+    for (const Quantity quantity : furtherQuantities()) {
+        const int tab = m_tabs->addTab(makePlot(quantity), QString());
+        if (quantity == Quantity::Shade)
+            m_shadeTab = tab;
+    }
     m_thermal = new ThermalPictureView(m_tabs);
     m_thermal->installEventFilter(this);
     m_thermal->hide();

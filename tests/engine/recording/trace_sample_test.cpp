@@ -51,7 +51,7 @@ TEST(TraceSampleColumns, EveryQuantityHasOneColumnOrIsTheSpeed) {
         const bool isColumn = plottedColumn(quantity) != nullptr || plottedRunColumn(quantity) != nullptr;
         EXPECT_NE(isColumn, quantity == Quantity::Speed) << q;
     }
-    EXPECT_EQ(lineCount(3), 5U * 3U + 2U);
+    EXPECT_EQ(lineCount(3), 6U * 3U + 2U);
     EXPECT_EQ(lineIndex(Quantity::Speed, 1, 3), 16U);
 }
 
@@ -107,25 +107,47 @@ TEST(TraceSampleColumns, AreInTheManualOfExports) {
         }
 }
 
+// Catches: a shade where none is known, where no light would come, or one that a rounded view factor makes
+// less than nothing.
+TEST(TraceSampleColumns, TheShadeIsTheShareThatTheOthersTake) {
+    ObjectSample object;
+    const auto shade = [&](double F, double unshaded) {
+        object.viewFactor = F;
+        object.unshadedViewFactor = unshaded;
+        return shadedShare(object);
+    };
+    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_DOUBLE_EQ(shade(0.15, 0.2), 0.25);
+    EXPECT_EQ(shade(0.2, 0.2), 0.0);
+    EXPECT_EQ(shade(0.2 + 1e-6, 0.2), 0.0);
+    EXPECT_EQ(shade(0.0, 0.2), 1.0);
+    EXPECT_TRUE(std::isnan(shade(0.0, 0.0)));
+    EXPECT_TRUE(std::isnan(shade(0.1, kUnknown)));
+    EXPECT_TRUE(std::isnan(shade(kUnknown, 0.2)));
+}
+
 // An overview of before the last quantities has their lines only.
 TEST(TraceSampleColumns, AnOverviewOfFewerQuantitiesIsReadAsUnknownInTheOthers) {
     TraceSample sample;
     sample.objects.resize(1);
     sample.objects[0].measured_K = 300.0;
     sample.objects[0].valid = true;
-    sample.twist[0] = 0.01;
+    sample.objects[0].viewFactor = 0.15;
+    sample.objects[0].unshadedViewFactor = 0.2;
     TraceOverview all(1);
     for (std::size_t k = 0; k < TraceOverview::kStretch; ++k)
         all.add(sample);
     const std::string bytes = all.bytes();
-    constexpr std::size_t kTimes = 16, kLine = 8; // bytes; the speed's two lines are the last
+    constexpr std::size_t kTimes = 16,
+                          kLine = 8; // bytes; the shade's line is the last, after the speed's two
     TraceOverview old(1);
-    ASSERT_TRUE(old.addBytes(std::string_view(bytes).substr(0, kTimes + 5 * kLine), quantityCount() - 1));
+    ASSERT_TRUE(old.addBytes(std::string_view(bytes).substr(0, kTimes + 7 * kLine), quantityCount() - 1));
     EXPECT_EQ(old.samples(), TraceOverview::kStretch);
     EXPECT_EQ(old.extremes(Quantity::Temperature, 0, 0).min, 300.0F);
     EXPECT_TRUE(old.hasValues(Quantity::Temperature));
-    EXPECT_FALSE(old.hasValues(Quantity::Speed));
-    EXPECT_TRUE(all.hasValues(Quantity::Speed));
+    EXPECT_TRUE(old.hasValues(Quantity::Speed));
+    EXPECT_FALSE(old.hasValues(Quantity::Shade));
+    EXPECT_FLOAT_EQ(static_cast<float>(all.largest(Quantity::Shade)), 0.25F);
 }
 
 } // namespace

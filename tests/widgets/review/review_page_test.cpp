@@ -586,6 +586,33 @@ TEST_F(ReviewPageTest, AClickInTheListGoesToThatMoment) {
     EXPECT_EQ(child<TracePlot>("review.error_K")->visibleFrom_s(), plot->visibleFrom_s());
 }
 
+// Catches a run with shade that is reviewed without it, and one without that has an empty plot of it.
+TEST_F(ReviewPageTest, ShowsTheShadeOfARunThatCanHaveSome) {
+    SessionRecord session = record();
+    auto* plot = child<TracePlot>("review.shade");
+    auto* tabs = child<QTabWidget>("reviewTabs");
+    const int tab = tabs->indexOf(plot->parentWidget());
+    ASSERT_GE(tab, 0);
+    for (ObjectSpec& object : session.experiment.objects)
+        object.mounting.tail<4>().setZero(); // in one plane
+    show(session);
+    EXPECT_FALSE(tabs->isTabVisible(tab));
+    session.path = "stacked.bask";
+    session.experiment.objects[1].mounting = session.experiment.objects[0].mounting;
+    session.experiment.objects[1].mounting[2] -= 0.02;
+    for (TraceSample& sample : session.samples)
+        for (ObjectSample& object : sample.objects) {
+            object.viewFactor = 0.15;
+            object.unshadedViewFactor = 0.2;
+        }
+    show(session);
+    ASSERT_TRUE(tabs->isTabVisible(tab));
+    tabs->setCurrentIndex(tab);
+    plot->redraw();
+    ASSERT_FALSE(plot->seriesPoints(0).isEmpty());
+    EXPECT_NEAR(plot->seriesPoints(0).back().y(), 25.0, 1e-6);
+}
+
 // Catches a zoomed plot that moves when a tab is looked at, or that goes on behind the end of the run.
 TEST_F(ReviewPageTest, AZoomedPlotMovesWithTheReplayOnly) {
     show(record());

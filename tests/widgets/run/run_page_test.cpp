@@ -211,6 +211,38 @@ TEST(RunPage, SaysHowMuchTheObjectsShadeEachOther) {
     EXPECT_EQ(said->text(), QString());
 }
 
+// Catches: a plot of shade that no object can have, one that is missing where one object stands in the light
+// of another, and one of another scale than its axis says.
+TEST(RunPage, PlotsTheShadeWhereThereCanBeSome) {
+    RunPage page;
+    Experiment experiment = threeObjects();
+    page.setExperiment(experiment);
+    auto* tabs = page.findChild<QTabWidget*>(QStringLiteral("plotTabs"));
+    auto* plot = page.findChild<TracePlot*>(QStringLiteral("plot.shade"));
+    ASSERT_NE(plot, nullptr);
+    const int tab = tabs->indexOf(plot->parentWidget());
+    ASSERT_GE(tab, 0);
+    EXPECT_EQ(tabs->tabText(tab), QStringLiteral("Shade"));
+    EXPECT_FALSE(tabs->isTabVisible(tab)) << "they lie in one plane";
+    experiment.objects[1].mounting.head<3>() << 0.0, 0.05, -0.02; // in the light of the first
+    page.setExperiment(experiment);
+    EXPECT_TRUE(tabs->isTabVisible(tab));
+    std::vector<TraceSample> samples = likeARun(20);
+    for (TraceSample& sample : samples)
+        for (ObjectSample& object : sample.objects)
+            object.unshadedViewFactor = object.viewFactor;
+    for (std::size_t k = 10; k < samples.size(); ++k)
+        samples[k].objects[0].viewFactor *= 0.75;
+    page.apply(snapshotOf(samples));
+    plot->redraw();
+    EXPECT_EQ(plot->valueAxisLabel(), QStringLiteral("Shade (%)"));
+    EXPECT_NEAR(plot->seriesPoints(0).front().y(), 0.0, 1e-9);
+    EXPECT_NEAR(plot->seriesPoints(0).back().y(), 25.0, 1e-9);
+    EXPECT_NEAR(plot->seriesPoints(1).back().y(), 0.0, 1e-9);
+    page.setExperiment(threeObjects());
+    EXPECT_FALSE(tabs->isTabVisible(tab));
+}
+
 // Catches two runs drawn into each other.
 TEST(RunPage, ANewRunBeginsANewTrace) {
     Shown shown;
