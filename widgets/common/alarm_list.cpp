@@ -31,7 +31,7 @@ constexpr int kIdRole = Qt::UserRole;
 constexpr int kRowMark = 16;
 constexpr int kGap = 8;
 constexpr int kIndent = 16;
-constexpr int kLeastTree = 120, kLeastGuidance = 100;
+constexpr int kMinTree = 120, kMinGuidance = 100;
 constexpr int kLowGuidance = 36; // with Home under it no higher than the list
 
 /// A clock.
@@ -89,7 +89,7 @@ AlarmList::AlarmList(QWidget* parent)
     m_tree->setAllColumnsShowFocus(true);
     m_tree->setFrameShape(QFrame::NoFrame);
     m_tree->setIconSize({kRowMark, kRowMark});
-    m_tree->setMinimumWidth(kLeastTree);
+    m_tree->setMinimumWidth(kMinTree);
     m_tree->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // the sentence is elided instead
     m_tree->header()->setStretchLastSection(true);
     m_tree->setContextMenuPolicy(Qt::CustomContextMenu);
@@ -100,7 +100,7 @@ AlarmList::AlarmList(QWidget* parent)
     m_guidance->setReadOnly(true);
     m_guidance->setTabChangesFocus(true);
     m_guidance->setFrameShape(QFrame::NoFrame);
-    m_guidance->setMinimumSize(kLeastGuidance, kLowGuidance);
+    m_guidance->setMinimumSize(kMinGuidance, kLowGuidance);
     m_acknowledge->setObjectName(QStringLiteral("acknowledgeAlarm"));
     m_acknowledgeAll->setObjectName(QStringLiteral("acknowledgeAllAlarms"));
 
@@ -159,7 +159,7 @@ AlarmList::AlarmList(QWidget* parent)
 }
 
 void AlarmList::arrange() {
-    const bool isNarrow = width() < leastWidth(false);
+    const bool isNarrow = width() < minWidth(false);
     if (isNarrow != m_isNarrow)
         placeButtons(isNarrow);
 }
@@ -173,16 +173,16 @@ void AlarmList::placeButtons(bool isNarrow) {
     m_buttons->addWidget(m_acknowledgeAll, isNarrow ? 2 : 1, 0, 1, 2);
 }
 
-int AlarmList::leastWidth(bool isNarrow) const {
+int AlarmList::minWidth(bool isNarrow) const {
     const int one = m_acknowledge->minimumSizeHint().width(), shelve = m_shelve->minimumSizeHint().width(),
               all = m_acknowledgeAll->minimumSizeHint().width();
     const int buttons = std::max(all, isNarrow ? std::max(one, shelve) : one + kGap / 2 + shelve);
     const QMargins margins = contentsMargins();
-    return margins.left() + kLeastTree + kGap + kLeastGuidance + kGap + buttons + margins.right();
+    return margins.left() + kMinTree + kGap + kMinGuidance + kGap + buttons + margins.right();
 }
 
 QSize AlarmList::minimumSizeHint() const {
-    return {leastWidth(true), QWidget::minimumSizeHint().height()};
+    return {minWidth(true), QWidget::minimumSizeHint().height()};
 }
 
 void AlarmList::resizeEvent(QResizeEvent* event) {

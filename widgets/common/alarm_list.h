@@ -71,7 +71,7 @@ protected:
 private:
     void arrange();
     void placeButtons(bool isNarrow);
-    int leastWidth(bool isNarrow) const;
+    int minWidth(bool isNarrow) const;
     void showRows();
     void showGroup(QTreeWidgetItem* item, const AlarmGroup& group);
     void showShelf(QTreeWidgetItem* item);

@@ -12,8 +12,8 @@ namespace bask {
 /// Never narrower than what is in it, which nothing would bring into view.
 class UprightScroll : public QScrollArea {
 public:
-    explicit UprightScroll(QWidget* content, QWidget* parent, int least_px = 0)
-        : QScrollArea(parent), m_least_px(least_px) {
+    explicit UprightScroll(QWidget* content, QWidget* parent, int min_px = 0)
+        : QScrollArea(parent), m_min_px(min_px) {
         setWidget(content); // whose events it sees from then on
         setWidgetResizable(true);
         setFrameShape(QFrame::NoFrame);
@@ -21,7 +21,7 @@ public:
         setFocusPolicy(Qt::NoFocus);
     }
     QSize minimumSizeHint() const override {
-        return {std::max(m_least_px,
+        return {std::max(m_min_px,
                          widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width()),
                 QScrollArea::minimumSizeHint().height()};
     }
@@ -34,7 +34,7 @@ protected:
     }
 
 private:
-    int m_least_px;
+    int m_min_px;
 };
 
 } // namespace bask
