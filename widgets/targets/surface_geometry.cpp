@@ -19,10 +19,6 @@ TargetGeometry surfaceGeometry(const Experiment& experiment, PoseSubset subset, 
             .clearance_m = experiment.robot.clearance_m};
 }
 
-bool mayShade(const Experiment& experiment) {
-    return MountedObjects(mountedContours(experiment), screensOf(experiment)).mayShade();
-}
-
 std::vector<double> neededViewFactors(const JointVerdict& verdict) {
     std::vector<double> viewFactors;
     for (const TargetVerdict& own : verdict.conditions1)

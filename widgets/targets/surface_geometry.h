@@ -18,9 +18,6 @@ enum class SurfaceGrid { Fine, Coarse };
 TargetGeometry surfaceGeometry(const Experiment& experiment, PoseSubset subset, const Vector6d& fixed,
                                SurfaceGrid grid = SurfaceGrid::Fine);
 
-/// Returns whether an object may be shaded: then fields take a second or two.
-bool mayShade(const Experiment& experiment);
-
 /// Returns the view factors that the verdict's targets need, one for each object.
 std::vector<double> neededViewFactors(const JointVerdict& verdict);
 

@@ -1,6 +1,7 @@
 #include "widgets/targets/surfaces_view.h"
 
 #include "engine/base/message_code.h"
+#include "engine/model/mounting_check.h"
 #include "widgets/common/display.h"
 #include "widgets/common/verdict_words.h"
 #include "widgets/scene/target_scene.h"
