@@ -170,8 +170,8 @@ void SourceTile::restyle() {
     constexpr int kEdges = 2; // a label wants a little more than its text
     m_temperature->setMinimumWidth(kEdges +
                                    QFontMetrics(big).horizontalAdvance(QStringLiteral("000.0\u00a0\u00b0C")));
-    m_setPoint->setMinimumWidth(metrics.horizontalAdvance(QStringLiteral("000.0\u00a0\u00b0C")));
-    m_rate->setMinimumWidth(metrics.horizontalAdvance(QStringLiteral("+00.0\u00a0K/min")));
+    m_setPoint->setMinimumWidth(kEdges + metrics.horizontalAdvance(QStringLiteral("000.0\u00a0\u00b0C")));
+    m_rate->setMinimumWidth(kEdges + metrics.horizontalAdvance(QStringLiteral("+00.0\u00a0K/min")));
     m_stateIcon->clear();
     showValues();
     update();
