@@ -21,9 +21,9 @@ public:
         setFocusPolicy(Qt::NoFocus);
     }
     QSize minimumSizeHint() const override {
-        return {std::max(m_min_px,
-                         widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width()),
-                QScrollArea::minimumSizeHint().height()};
+        return {
+            std::max(m_min_px, widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width()),
+            QScrollArea::minimumSizeHint().height()};
     }
 
 protected:
