@@ -38,6 +38,8 @@ std::string linesOf(const std::string& name, const Columns& columns, bool isOfRu
         if ((column.csv != nullptr) != isInTraces)
             continue;
         const bool isStored = column.stored.place != 0;
+        if (!isInTraces && !isStored && !column.nexus) // only drawn, from the others
+            continue;
         const bool isCelsius = column.unit.edge == EdgeUnit::Temperature;
         out += "    _Column(" + quoted(isInTraces ? column.csv : nameOf(column.key, column.unit)) + ", " +
                quoted(isCelsius ? "degC" : siUnit(column.unit)) + ", " +

@@ -421,7 +421,7 @@ std::vector<HostileSvg> hostileSvgs() {
         {"long rule", MessageCode::DrawingTooFull,
          drawing("<style>rect{fill:" + textTimes("a ", 100'000) + "}</style>" + textTimes(rect, 3000))},
         {"not a number", MessageCode::SvgPathDamaged, drawing("<path d='Mnan nanLnan nanL inf 1e999z'/>")},
-        {"infinite", MessageCode::NoOutline,
+        {"infinite", MessageCode::SvgPathDamaged,
          drawing("<path d='M0 0L1e400 5L1e-400 1e308L-1e308 1e308z' transform='scale(1e308)'/>")},
         {"wide", MessageCode::DrawingTooWide, drawing("<path d='M0 0h99999999v1z'/>")},
         {"long number", MessageCode::SvgLengthDamaged,
