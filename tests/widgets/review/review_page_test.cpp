@@ -733,7 +733,7 @@ TEST_F(ReviewOverlayTest, EveryPlotHasIt) {
     EXPECT_EQ(plot->overlayLabels(), eveningAlone);
     EXPECT_EQ(plot->visibleTo_s(), 400.0) << "the longer run is in view";
     EXPECT_EQ(plot->seriesPoints(0).last().x(), 200.0);
-    tabs->setCurrentIndex(2);
+    tabs->setCurrentIndex(3);
     EXPECT_EQ(child<TracePlot>("review.speed")->overlayLabels().size(), 2);
     page.setTemperatureUnit(TemperatureUnit::Kelvin);
     EXPECT_EQ(plot->overlayLabels().size(), 3);
