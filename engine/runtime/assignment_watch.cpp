@@ -72,7 +72,7 @@ void AssignmentWatch::add(double now_s, const std::vector<std::optional<CameraOp
     auto now = likeliest(now_s);
     const bool isSame = now && m_before && now->one == m_before->one && now->other == m_before->other;
     m_exchanged = isSame ? now : std::nullopt;
-    m_before = std::move(now);
+    m_before = now;
 }
 
 std::optional<AssignmentWatch::Change> AssignmentWatch::change(const Watch& watch, double end_s,

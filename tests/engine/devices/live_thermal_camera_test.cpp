@@ -43,7 +43,7 @@ void plugIn(const ThermalProfile& profile, int moreRows = 0) {
     camera.width = profile.width;
     camera.height = profile.skipTop + profile.height + profile.skipBottom + moreRows;
     camera.frame = frameOf(profile, moreRows);
-    camera.changing = static_cast<std::size_t>(2 * profile.width * profile.skipTop);
+    camera.changing = 2 * static_cast<std::size_t>(profile.width) * static_cast<std::size_t>(profile.skipTop);
     camera.opened = camera.sent = 0;
     camera.setMood(FakeCameraMood::Good);
 }

@@ -330,7 +330,8 @@ TEST(CameraThermometer, GivesReasonsAndNoNumbersOfDamagedFrames) {
     ASSERT_TRUE(thermometer.read().value()[0].valid);
     const std::vector<int> pixels = thermometer.view()->objects[0].pixels;
     ASSERT_GT(pixels.size(), 10U);
-    const auto skipped = static_cast<std::size_t>(2 * camera.profile().width * camera.profile().skipTop);
+    const std::size_t skipped = 2 * static_cast<std::size_t>(camera.profile().width) *
+                                static_cast<std::size_t>(camera.profile().skipTop);
     const auto put = [&](std::string& bytes, std::size_t pixel, unsigned number) {
         bytes.at(skipped + 2 * pixel) = static_cast<char>(number & 0xffU);
         bytes.at(skipped + 2 * pixel + 1) = static_cast<char>(number >> 8U);
