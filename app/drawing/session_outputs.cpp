@@ -45,8 +45,9 @@ Result<std::vector<std::string>> exportFigures(const SessionRecord& session, con
     if (!files)
         return files.error();
     const RunFigures figures(session, unit, layout);
-    ShareCount count(told, static_cast<double>(runFigures(session).size() * std::size(kFigureFormats)));
-    for (const RunFigure figure : runFigures(session))
+    const std::vector<RunFigure> all = runFigures(session);
+    ShareCount count(told, static_cast<double>(all.size() * std::size(kFigureFormats)));
+    for (const RunFigure figure : all)
         for (const FigureFormat format : kFigureFormats) {
             const std::string name = runFigureStem(figure) + figureEnding(format);
             auto done = checkOwn(files->target(name), kRunFigureMark,

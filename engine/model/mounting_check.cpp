@@ -221,7 +221,7 @@ std::vector<MountingRemark> shadeRemarks(const Experiment& experiment, const Vec
 }
 
 bool mayShade(const Experiment& experiment) {
-    return rigGeometry(experiment)->mayShade();
+    return MountedObjects(mountedContours(experiment), screensOf(experiment)).mayShade();
 }
 
 std::vector<MountingRemark> mountingRemarks(const Experiment& experiment) {

@@ -49,7 +49,7 @@ enum ListColumn {
 constexpr std::array<const char*, kListColumns> kSortNames{
     "recorded", "run", "outcome", "duration", "operator", "sample", "rig", "tags", "controller"};
 const QString kDescending = QStringLiteral(" descending");
-constexpr int kLeastWidth = 260; // px
+constexpr int kMinWidth = 260; // px
 constexpr int kSortRole = Qt::UserRole;
 constexpr int kPathRole = Qt::UserRole + 1;
 constexpr int kSearchRole = Qt::UserRole + 2;
@@ -156,7 +156,7 @@ SessionList::SessionList(QWidget* parent)
     layout->setSpacing(6);
     layout->addLayout(top);
     layout->addWidget(m_tree, 1);
-    layout->addStrut(kLeastWidth); // wider where the words need it
+    layout->addStrut(kMinWidth); // wider where the words need it
     layout->addLayout(buttons);
     layout->addLayout(bottom);
 
