@@ -66,11 +66,19 @@ template <class Condition> bool waitFor(Condition condition, int limit_ms) {
     return true;
 }
 
+void rest(int time_ms) {
+    const QDeadlineTimer over(time_ms);
+    waitFor([&] { return over.hasExpired(); }, 2 * time_ms);
+}
+
 std::unique_ptr<MainWindow> openWindow() {
     auto window = std::make_unique<MainWindow>();
     window->resize(1280, 800);
     window->show();
     window->begin({});
+    window->activateWindow(); // keys go nowhere otherwise, with no window manager
+    if (!QTest::qWaitForWindowActive(window.get()))
+        return nullptr;
     if (!waitFor([&] { return !window->lastSnapshot().latest.objects.empty(); }, 20000))
         return nullptr;
     window->repaint();
@@ -81,6 +89,17 @@ void closeWindow(MainWindow& window) {
     window.setCloseQuestion([] { return Closing::Now; });
     window.document().markSaved({}); // or closing asks
     window.close();
+}
+
+/// Each time in a window of its own.
+template <class Work> void inWindow(benchmark::State& state, const Work& work) {
+    for (auto _ : state) {
+        const auto window = openWindow();
+        if (!window)
+            return state.SkipWithError("no readings came");
+        work(*window);
+        closeWindow(*window);
+    }
 }
 
 /// Of the window in this process, whose libraries are loaded.
@@ -109,12 +128,13 @@ void programToFirstPicture(benchmark::State& state) {
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
         environment.insert(QStringLiteral("BASK_TIMING"), QStringLiteral("1"));
         program.setProcessEnvironment(environment);
+        program.setReadChannel(QProcess::StandardError);
         QElapsedTimer timer;
         timer.start();
         program.start(QStringLiteral(BASK_PROGRAM), QStringList());
         QByteArray said;
         while (!said.contains("first picture") && program.waitForReadyRead(20000))
-            said += program.readAllStandardError();
+            said += program.readAll();
         const double is_ms = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
         program.terminate(); // as a signal, which asks nobody
         program.waitForFinished(20000);
@@ -178,8 +198,7 @@ void watchBlocks(benchmark::State& state, const std::string& what) {
     std::vector<double> all_s;
     for (int stretch = 0; stretch < 3; ++stretch) {
         GuiWatchdog watchdog;
-        const QDeadlineTimer over(5000);
-        waitFor([&] { return over.hasExpired(); }, 20000);
+        rest(5000);
         quietest_ms = std::min(quietest_ms, watchdog.longestBlock_s() * 1e3);
         longest_ms = std::max(longest_ms, watchdog.longestBlock_s() * 1e3);
         all_s.insert(all_s.end(), watchdog.blocks_s().begin(), watchdog.blocks_s().end());
@@ -192,14 +211,11 @@ void watchBlocks(benchmark::State& state, const std::string& what) {
 /// A page while a recorded run at `speed` simulated seconds a second is on.
 void guiDuringRun(benchmark::State& state) {
     const auto page = static_cast<Page>(state.range(1));
-    for (auto _ : state) {
-        const auto window = openWindow();
-        if (!window)
-            return state.SkipWithError("no readings came");
-        if (const char* failure = startRun(*window, static_cast<double>(state.range(0))))
+    inWindow(state, [&](MainWindow& window) {
+        if (const char* failure = startRun(window, static_cast<double>(state.range(0))))
             return state.SkipWithError(failure);
-        window->pages().show(page);
-        const auto* scene = window->findChild<QWidget*>(QStringLiteral("runScene"))->findChild<VtkView*>();
+        window.pages().show(page);
+        const auto* scene = window.findChild<QWidget*>(QStringLiteral("runScene"))->findChild<VtkView*>();
         std::vector<double> frames_s;
         int seen = scene->frames();
         QTimer frames;
@@ -219,8 +235,7 @@ void guiDuringRun(benchmark::State& state) {
             state.counters["frame_p99_ms"] = percentile(frames_s, 0.99) * 1e3;
         }
         state.SetLabel(nameOf(page));
-        closeWindow(*window);
-    }
+    });
 }
 BENCHMARK(guiDuringRun)
     ->ArgNames({"speed", "page"})
@@ -231,21 +246,17 @@ BENCHMARK(guiDuringRun)
 
 /// The Run page in a recorded run of the rig with a thermal camera, with its picture in front.
 void guiWithThermalPicture(benchmark::State& state) {
-    for (auto _ : state) {
-        const auto window = openWindow();
-        if (!window)
-            return state.SkipWithError("no readings came");
-        window->files().openExample(QStringLiteral("thermal-camera"));
-        if (const char* failure = startRun(*window, static_cast<double>(state.range(0))))
+    inWindow(state, [&](MainWindow& window) {
+        window.files().openExample(QStringLiteral("thermal-camera"));
+        if (const char* failure = startRun(window, static_cast<double>(state.range(0))))
             return state.SkipWithError(failure);
-        auto* tabs = window->findChild<QTabWidget*>(QStringLiteral("plotTabs"));
+        auto* tabs = window.findChild<QTabWidget*>(QStringLiteral("plotTabs"));
         tabs->setCurrentIndex(tabs->count() - 1);
         PaintWatch picture(tabs->currentWidget());
         watchBlocks(state, "run with a thermal picture");
         if (!picture.isPainted())
             return state.SkipWithError("the thermal picture was not drawn");
-        closeWindow(*window);
-    }
+    });
 }
 BENCHMARK(guiWithThermalPicture)
     ->ArgName("speed")
@@ -268,8 +279,7 @@ public:
         const bool isPainted = waitFor([&] { return watch.isPainted(); }, 5000);
         const double is_ms = isPainted ? static_cast<double>(timer.nsecsElapsed()) * 1e-6
                                        : std::numeric_limits<double>::infinity();
-        const QDeadlineTimer later(60); // what follows it
-        waitFor([&] { return later.hasExpired(); }, 1000);
+        rest(60); // what follows it
         times_ms.push_back(is_ms);
         blocks_ms.push_back(watchdog.longestBlock_s() * 1e3);
     }
@@ -286,30 +296,25 @@ void turnToPage(benchmark::State& state) {
     const int index = static_cast<int>(state.range(0));
     const auto page = static_cast<Page>(index);
     const auto other = page == Page::Run ? Page::Objects : Page::Run;
-    for (auto _ : state) {
-        const auto window = openWindow();
-        if (!window)
-            return state.SkipWithError("no readings came");
+    inWindow(state, [&](MainWindow& window) {
         const auto turn = [&](Keys& keys) {
-            window->pages().show(other);
-            const QDeadlineTimer rest(300);
-            waitFor([&] { return rest.hasExpired(); }, 1000);
-            auto* picture = window->findChild<QStackedWidget*>(QStringLiteral("pages"))->widget(index);
+            window.pages().show(other);
+            rest(300);
+            auto* picture = window.findChild<QStackedWidget*>(QStringLiteral("pages"))->widget(index);
             keys.press(qobject_cast<QScrollArea*>(picture)->widget(), [&] {
-                QTest::keyClick(window.get(), static_cast<Qt::Key>(Qt::Key_1 + index), Qt::ControlModifier);
+                QTest::keyClick(&window, static_cast<Qt::Key>(Qt::Key_1 + index), Qt::ControlModifier);
             });
         };
         Keys first, later;
         turn(first);
         for (int k = 0; k < 10; ++k)
             turn(later);
-        if (window->pages().page() != page)
+        if (window.pages().page() != page)
             return state.SkipWithError("another page");
         first.judge(state, nameOf(page), "first");
         later.judge(state, nameOf(page), "key");
         state.SetLabel(nameOf(page));
-        closeWindow(*window);
-    }
+    });
 }
 BENCHMARK(turnToPage)
     ->ArgName("page")
@@ -362,92 +367,77 @@ void keysIn(benchmark::State& state, MainWindow& window, Page page, const char* 
             shows->findChild<QWidget*>(QStringLiteral("tracePlotCanvas"))) // what is painted of a plot
         shows = canvas;
     field->setFocus();
-    const QDeadlineTimer rest(500);
-    waitFor([&] { return rest.hasExpired(); }, 1000);
+    rest(500);
     Keys keys;
     for (int key = 0; key < 20; ++key)
         keys.press(shows, [&] { QTest::keyClick(field, key % 2 == 0 ? up : down); });
     keys.judge(state, nameOf(page), "key");
 }
 
+/// Turns the tabs until the one with this widget is in front.
+void showTabWith(const MainWindow& window, const char* tabs, const char* widget) {
+    auto* all = window.findChild<QTabWidget*>(QLatin1String(tabs));
+    const auto* wanted = window.findChild<QWidget*>(QLatin1String(widget));
+    for (int tab = 0; tab < all->count() && !wanted->isVisible(); ++tab)
+        all->setCurrentIndex(tab);
+}
+
 /// A limit on the Rig page; harmonics of an outline; the sheet of a board.
 void keyOnRig(benchmark::State& state) {
-    for (auto _ : state) {
-        const auto window = openWindow();
-        if (!window)
-            return state.SkipWithError("no readings came");
-        window->pages().show(Page::Rig);
-        auto* tabs = window->findChild<QTabWidget*>(QStringLiteral("rigTabs"));
-        const auto* field = window->findChild<QWidget*>(QStringLiteral("maxSpeed"));
-        for (int tab = 0; tab < tabs->count() && !field->isVisible(); ++tab)
-            tabs->setCurrentIndex(tab);
-        keysIn(state, *window, Page::Rig, "maxSpeed", Qt::Key_Up, Qt::Key_Down, "maxSpeed");
-        closeWindow(*window);
-    }
+    inWindow(state, [&](MainWindow& window) {
+        window.pages().show(Page::Rig);
+        showTabWith(window, "rigTabs", "maxSpeed");
+        keysIn(state, window, Page::Rig, "maxSpeed", Qt::Key_Up, Qt::Key_Down, "maxSpeed");
+    });
 }
 BENCHMARK(keyOnRig)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
 
 void keyOnObjects(benchmark::State& state) {
-    for (auto _ : state) {
-        const auto window = openWindow();
-        if (!window)
-            return state.SkipWithError("no readings came");
-        window->pages().show(Page::Objects);
-        window->pages().objects()->selectObject(1);
-        const auto* fits = window->findChild<FourierFits*>();
+    inWindow(state, [&](MainWindow& window) {
+        window.pages().show(Page::Objects);
+        window.pages().objects()->selectObject(1);
+        const auto* fits = window.findChild<FourierFits*>();
         if (!waitFor([&] { return fits->complete(); }, 60000))
             return state.SkipWithError("never fitted");
-        keysIn(state, *window, Page::Objects, "harmonicsSlider", Qt::Key_Right, Qt::Key_Left,
+        keysIn(state, window, Page::Objects, "harmonicsSlider", Qt::Key_Right, Qt::Key_Left,
                "outlinePreview");
-        closeWindow(*window);
-    }
+    });
 }
 BENCHMARK(keyOnObjects)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
 
 void keyOnCalibrate(benchmark::State& state) {
-    for (auto _ : state) {
-        const auto window = openWindow();
-        if (!window)
-            return state.SkipWithError("no readings came");
-        window->pages().show(Page::Calibrate);
-        auto* tabs = window->findChild<QTabWidget*>(QStringLiteral("calibrateTabs"));
-        const auto* preview = window->findChild<QWidget*>(QStringLiteral("sheetPreview"));
-        for (int tab = 0; tab < tabs->count() && !preview->isVisible(); ++tab)
-            tabs->setCurrentIndex(tab);
-        keysIn(state, *window, Page::Calibrate, "sheetSide", Qt::Key_Up, Qt::Key_Down, "sheetPreview");
-        closeWindow(*window);
-    }
+    inWindow(state, [&](MainWindow& window) {
+        window.pages().show(Page::Calibrate);
+        showTabWith(window, "calibrateTabs", "sheetPreview");
+        keysIn(state, window, Page::Calibrate, "sheetSide", Qt::Key_Up, Qt::Key_Down, "sheetPreview");
+    });
 }
 BENCHMARK(keyOnCalibrate)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
 
 /// Zooms the traces of a recorded run, while it is on and in Review; moves the replay.
 void keyOnTraces(benchmark::State& state) {
     const bool isReview = state.range(0) == 1;
-    for (auto _ : state) {
-        const auto window = openWindow();
-        if (!window)
-            return state.SkipWithError("no readings came");
-        if (const char* failure = startRun(*window, 20.0))
+    inWindow(state, [&](MainWindow& window) {
+        if (const char* failure = startRun(window, 20.0))
             return state.SkipWithError(failure);
-        if (!waitFor([&] { return window->lastSnapshot().runTime_s > 60.0; }, 60000))
+        if (!waitFor([&] { return window.lastSnapshot().runTime_s > 60.0; }, 60000))
             return state.SkipWithError("the run does not go on");
         if (isReview) {
-            window->actions().verb(Verb::Stop)->trigger();
+            window.actions().verb(Verb::Stop)->trigger();
             bool isOpened = false;
-            QObject::connect(&window->files(), &SessionActions::sessionOpened, window.get(),
+            QObject::connect(&window.files(), &SessionActions::sessionOpened, &window,
                              [&] { isOpened = true; });
-            window->files().open(QString::fromStdString(window->lastSnapshot().recordingPath));
+            window.files().open(QString::fromStdString(window.lastSnapshot().recordingPath));
             if (!waitFor([&] { return isOpened; }, 60000))
                 return state.SkipWithError("the recording was not opened");
-            keysIn(state, *window, Page::Review, "replaySlider", Qt::Key_Right, Qt::Key_Left,
+            keysIn(state, window, Page::Review, "replaySlider", Qt::Key_Right, Qt::Key_Left,
                    "review.measured_K");
         } else {
-            window->pages().show(Page::Run);
-            keysIn(state, *window, Page::Run, "plot.measured_K", Qt::Key_Plus, Qt::Key_Minus,
+            window.pages().show(Page::Run);
+            keysIn(state, window, Page::Run, "plot.measured_K", Qt::Key_Plus, Qt::Key_Minus,
                    "plot.measured_K");
         }
-        closeWindow(*window);
-    }
+    });
 }
 BENCHMARK(keyOnTraces)
     ->ArgName("review")
@@ -460,16 +450,13 @@ BENCHMARK(keyOnTraces)
 /// The longest block of the GUI thread while views of a board come live, are taken, and the camera is solved
 /// from fifteen of them.
 void guiWhileCalibrating(benchmark::State& state) {
-    for (auto _ : state) {
-        const auto window = openWindow();
-        if (!window)
-            return state.SkipWithError("no readings came");
-        window->pages().show(Page::Calibrate);
+    inWindow(state, [&](MainWindow& window) {
+        window.pages().show(Page::Calibrate);
         const auto button = [&](const char* name) {
-            return window->findChild<QAbstractButton*>(QLatin1String(name));
+            return window.findChild<QAbstractButton*>(QLatin1String(name));
         };
-        auto* verdict = window->findChild<QLabel*>(QStringLiteral("cameraVerdict"));
-        const auto* views = window->findChild<QTreeWidget*>(QStringLiteral("viewList"));
+        auto* verdict = window.findChild<QLabel*>(QStringLiteral("cameraVerdict"));
+        const auto* views = window.findChild<QTreeWidget*>(QStringLiteral("viewList"));
         GuiWatchdog live;
         button("captureStart")->click();
         if (!waitFor([&] { return views->topLevelItemCount() >= 15; }, 90000))
@@ -481,8 +468,7 @@ void guiWhileCalibrating(benchmark::State& state) {
         if (!waitFor([&] { return verdict->text() != before; }, 60000))
             return state.SkipWithError("no camera");
         judge(state, "Calibrate, solving", "solving_block_ms", solving.longestBlock_s() * 1e3, kBlock_ms);
-        closeWindow(*window);
-    }
+    });
 }
 BENCHMARK(guiWhileCalibrating)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
 

@@ -5,7 +5,6 @@
 #include "widgets/common/theme.h"
 #include "widgets/thermal/thermal_zoom.h"
 
-#include <QFileInfo>
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QToolTip>
@@ -92,11 +91,6 @@ void ThermalCanvas::setChosen(std::optional<std::size_t> object) {
     update();
 }
 
-void ThermalCanvas::setStatus(const QString& status) {
-    if (std::exchange(m_status, status) != status)
-        update();
-}
-
 void ThermalCanvas::setNotice(const QString& sentence, bool isProblem) {
     m_isProblem = isProblem;
     if (std::exchange(m_notice, sentence) == sentence)
@@ -111,10 +105,6 @@ const ThermalImage& ThermalCanvas::prepared() const {
     return *m_image;
 }
 
-double ThermalCanvas::statusHeight() const {
-    return fontMetrics().height() + 6.0;
-}
-
 QSizeF ThermalCanvas::shownSize(const QSizeF& room) const {
     const QSizeF pixels = m_pixels.size();
     double scale = std::min(room.width() / pixels.width(), room.height() / pixels.height());
@@ -125,7 +115,7 @@ QSizeF ThermalCanvas::shownSize(const QSizeF& room) const {
 }
 
 QRectF ThermalCanvas::pictureRect() const {
-    const QRectF room = QRectF(rect()).adjusted(0.0, 0.0, 0.0, -statusHeight());
+    const QRectF room = rect();
     if (!hasPicture(m_view))
         return room;
     const double besides = barWidth();
@@ -136,8 +126,8 @@ QRectF ThermalCanvas::pictureRect() const {
 int ThermalCanvas::widthFor(int height) const {
     if (!hasPicture(m_view))
         return sizeHint().width();
-    const double room = height - statusHeight();
-    return static_cast<int>(std::ceil(room * m_pixels.width() / m_pixels.height() + barWidth()));
+    return static_cast<int>(
+        std::ceil(static_cast<double>(height) * m_pixels.width() / m_pixels.height() + barWidth()));
 }
 
 QTransform ThermalCanvas::fromPixels() const {
@@ -206,16 +196,20 @@ QString ThermalCanvas::spotText() const {
     return object ? text + QStringLiteral(", ") + nameOf(*object) : text;
 }
 
-QStringList ThermalCanvas::legendTexts() const {
+QString ThermalCanvas::legend() const {
     const ThermalImage& image = prepared();
     QStringList words;
-    if (image.saturated > 0)
-        words << tr("saturated %1", "a number of pixels").arg(image.saturated);
-    if (image.below > 0)
-        words << tr("below range %1", "a number of pixels").arg(image.below);
-    if (image.withoutValue > 0)
-        words << tr("no value %1", "a number of pixels").arg(image.withoutValue);
-    return words;
+    const auto add = [&words](int pixels, QRgb colour, QChar swatch, const QString& text) {
+        if (pixels > 0)
+            words << QStringLiteral("<span style='color:%1'>%2</span>\u00a0%3")
+                         .arg(QColor::fromRgb(colour).name(), swatch, text.toHtmlEscaped());
+    };
+    const QChar plain(0x25a0), chequered(0x25a8);
+    add(image.saturated, kSaturatedRgb, plain, tr("saturated %1", "a number of pixels").arg(image.saturated));
+    add(image.below, kBelowRgb, plain, tr("below range %1", "a number of pixels").arg(image.below));
+    add(image.withoutValue, kNoValueRgbs[1], chequered,
+        tr("no value %1", "a number of pixels").arg(image.withoutValue));
+    return words.join(QStringLiteral("&nbsp; "));
 }
 
 void ThermalCanvas::describe() {
@@ -307,11 +301,6 @@ bool ThermalCanvas::showToolTip(const QHelpEvent& event) {
         if (object && !m_view.objects[*object].T_K)
             text =
                 nameOf(*object) + QStringLiteral(": ") + messageText(m_view.objects[*object].reason, m_unit);
-    } else if (m_view.leftOut.last && event.pos().y() > pictureRect().bottom()) {
-        const Error& last = *m_view.leftOut.last;
-        text = tr("Left out last: %1")
-                   .arg(QFileInfo(QString::fromStdString(last.where)).fileName() + QStringLiteral(": ") +
-                        messageText(last.message, m_unit));
     } else if (hasPicture(m_view) && event.pos().x() > pictureRect().right() &&
                barRect().height() > event.pos().y()) {
         text =

@@ -35,8 +35,6 @@ public:
     void setZoomed(bool zoomed);
     /// Sets the object whose outline is drawn thicker.
     void setChosen(std::optional<std::size_t> object);
-    /// Sets the line below the picture.
-    void setStatus(const QString& status);
     /// Dims the picture, without what is measured in it, under a sentence; an empty one removes that.
     void setNotice(const QString& sentence, bool isProblem);
 
@@ -45,8 +43,9 @@ public:
     bool isPinned() const { return m_pinned.has_value(); }
     /// Returns the spot's apparent temperature, its place and its object's name.
     QString spotText() const;
-    /// Returns "saturated 12" and so on for pixels that tell no temperature, in the legend's order.
-    QStringList legendTexts() const;
+    /// Returns "saturated 12" and so on for pixels that tell no temperature, each beside its colour (rich
+    /// text).
+    QString legend() const;
 
     const QRect& shownPixels() const { return m_pixels; } ///< the part of the picture that is drawn
     QRectF pictureRect() const;                           ///< where it is drawn
@@ -80,7 +79,6 @@ private:
     std::vector<BarLabel> barLabels(double height) const;
     double barWidth() const; ///< with its gap and its labels
     QRectF barRect() const;
-    double statusHeight() const;
     QTransform fromPixels() const; ///< pixels (centres at whole numbers) to where they are drawn
     QPolygonF outlineOf(std::size_t object) const; ///< closed, pixels
     QString nameOf(std::size_t object) const;
@@ -100,8 +98,6 @@ private:
     void paintLabels(QPainter& painter);
     void paintSpot(QPainter& painter, QPoint pixel, bool isPinned);
     void paintBar(QPainter& painter);
-    void paintStatus(QPainter& painter);
-    void paintLegend(QPainter& painter, QRectF& line) const;
 
     ThermalView m_view;
     std::vector<QString> m_names;
@@ -110,7 +106,7 @@ private:
     bool m_isSmooth = true, m_isZoomed = false;
     QRect m_pixels; ///< those that are drawn
     std::optional<std::size_t> m_chosen;
-    QString m_status, m_notice;
+    QString m_notice;
     bool m_isProblem = false;
     std::optional<QPoint> m_pinned, m_hovered;
 

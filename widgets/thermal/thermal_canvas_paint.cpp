@@ -183,48 +183,6 @@ void ThermalCanvas::paintBar(QPainter& painter) {
     }
 }
 
-// At the line's right end, which is shortened by it; numbers without words where those do not fit.
-void ThermalCanvas::paintLegend(QPainter& painter, QRectF& line) const {
-    const ThermalImage& image = prepared();
-    struct Kind {
-        int pixels;
-        QRgb colour;
-    };
-    const Kind kinds[] = {
-        {image.saturated, kSaturatedRgb}, {image.below, kBelowRgb}, {image.withoutValue, kNoValueRgbs[1]}};
-    constexpr double kSwatch = 10.0, kBeside = 5.0, kBetween = 12.0;
-    const QFontMetrics metrics = fontMetrics();
-    QStringList words = legendTexts();
-    const double needed = metrics.horizontalAdvance(words.join(QString())) +
-                          static_cast<double>(words.size()) * (kSwatch + kBeside + kBetween);
-    for (int k = 2; k >= 0; --k) {
-        if (kinds[k].pixels == 0)
-            continue;
-        const QString full = words.takeLast();
-        const QString text = needed > line.width() ? QLocale().toString(kinds[k].pixels) : full;
-        const double right = line.right();
-        line.setRight(right - metrics.horizontalAdvance(text));
-        painter.drawText(QRectF(line.topRight(), QPointF(right + 1.0, line.bottom())),
-                         Qt::AlignLeft | Qt::AlignVCenter, text);
-        const QRectF swatch(line.right() - kSwatch - kBeside, line.center().y() - 0.5 * kSwatch, kSwatch,
-                            kSwatch);
-        painter.fillRect(swatch, QColor::fromRgb(kinds[k].colour));
-        if (kinds[k].colour == kNoValueRgbs[1])
-            painter.fillRect(swatch, QBrush(QColor::fromRgb(kNoValueRgbs[0]), Qt::Dense4Pattern));
-        line.setRight(swatch.left() - kBetween);
-    }
-}
-
-void ThermalCanvas::paintStatus(QPainter& painter) {
-    const QRectF place = pictureRect();
-    QRectF line(place.left(), place.bottom() + 6.0, width() - place.left(), fontMetrics().height());
-    painter.setPen(secondaryText(isDark(this)));
-    if (hasPicture(m_view))
-        paintLegend(painter, line);
-    painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
-                     fontMetrics().elidedText(m_status, Qt::ElideRight, static_cast<int>(line.width())));
-}
-
 void ThermalCanvas::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     const QRectF place = pictureRect();
@@ -253,7 +211,6 @@ void ThermalCanvas::paintEvent(QPaintEvent*) {
     }
     if (hasPicture(m_view))
         paintBar(painter);
-    paintStatus(painter);
 }
 
 } // namespace bask

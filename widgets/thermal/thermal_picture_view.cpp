@@ -2,12 +2,14 @@
 
 #include "engine/base/message_code.h"
 #include "widgets/common/display.h"
+#include "widgets/common/elided_label.h"
 #include "widgets/thermal/thermal_canvas.h"
 #include "widgets/thermal/thermal_controls.h"
 #include "widgets/thermal/thermal_histogram_plot.h"
 #include "widgets/thermal/thermal_object_list.h"
 
 #include <QEvent>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLocale>
 #include <QTimer>
@@ -26,7 +28,8 @@ constexpr int kFirst = 1000; // stretch of what has the room before others have 
 ThermalPictureView::ThermalPictureView(QWidget* parent)
     : QWidget(parent), m_controls(new ThermalControls(this)), m_canvas(new ThermalCanvas(this)),
       m_list(new ThermalObjectList(this)), m_histogram(new ThermalHistogramPlot(this)),
-      m_panel(new QVBoxLayout), m_age(new QTimer(this)) {
+      m_status(new ElidedLabel(this)), m_legend(new QLabel(this)), m_panel(new QVBoxLayout),
+      m_age(new QTimer(this)) {
     setObjectName(QStringLiteral("thermalPictureView"));
     m_panel->setSpacing(kThermalGap);
     m_panel->addWidget(m_list);
@@ -41,6 +44,14 @@ ThermalPictureView::ThermalPictureView(QWidget* parent)
     layout->setSpacing(kThermalGap);
     layout->addWidget(m_controls);
     layout->addLayout(row, 1);
+    m_status->setObjectName(QStringLiteral("thermalStatus"));
+    m_legend->setObjectName(QStringLiteral("thermalLegend"));
+    m_legend->setTextFormat(Qt::RichText);
+    auto* line = new QHBoxLayout;
+    line->setSpacing(2 * kThermalGap);
+    line->addWidget(m_status, 1);
+    line->addWidget(m_legend);
+    layout->addLayout(line);
 
     connect(m_controls, &ThermalControls::changed, this, [this] {
         m_shown.reset(); // not held to what was shown with other limits
@@ -127,6 +138,15 @@ QString ThermalPictureView::statusText() const {
     return words.join(kBetween);
 }
 
+QString ThermalPictureView::leftOutText() const {
+    if (!m_view.leftOut.last)
+        return {};
+    const Error& last = *m_view.leftOut.last;
+    return tr("Left out last: %1")
+        .arg(QFileInfo(QString::fromStdString(last.where)).fileName() + QStringLiteral(": ") +
+             messageText(last.message, m_unit));
+}
+
 void ThermalPictureView::refresh() {
     m_canvas->setView(m_view);
     m_whole = hasPicture(m_view) ? rangeOfPicture(*m_view.picture) : std::nullopt;
@@ -153,7 +173,9 @@ void ThermalPictureView::refreshLimits() {
 
 void ThermalPictureView::refreshNotice() {
     m_canvas->setNotice(sentence(), hasPicture(m_view) || m_view.problem.code != MessageCode::None);
-    m_canvas->setStatus(statusText());
+    m_status->setText(statusText());
+    m_status->setToolTip(leftOutText());
+    m_legend->setText(m_canvas->legend());
     m_list->showView(m_view, m_whole, sentence().isEmpty(), m_unit);
     if (!m_isRecorded && hasPicture(m_view) && isVisible())
         m_age->start(); // again from now: nothing to do if another picture comes before

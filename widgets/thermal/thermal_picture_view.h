@@ -13,6 +13,7 @@
 #include <vector>
 
 class QBoxLayout;
+class QLabel;
 class QTimer;
 
 namespace bask {
@@ -25,7 +26,7 @@ class ThermalObjectList;
 /// A problem, or a picture older than kOldAfter_s, is told over the last picture, which is dimmed and
 /// hatched; a recorded one is as old as it is. Object names: "thermalCanvas", "thermalObjects",
 /// "thermalHistogram"; "thermalPalette", "thermalLimits", "thermalMin", "thermalMax", "thermalIsotherm",
-/// "thermalIsothermAt", "thermalZoom", "thermalSmooth".
+/// "thermalIsothermAt", "thermalZoom", "thermalSmooth"; "thermalStatus", "thermalLegend".
 class ThermalPictureView : public QWidget {
     Q_OBJECT
 public:
@@ -56,6 +57,7 @@ protected:
 
 private:
     double age_s() const;
+    QString leftOutText() const; ///< which picture was left out last, and why
     void refresh();
     void refreshLimits();
     void refreshNotice();
@@ -74,7 +76,8 @@ private:
     ThermalCanvas* m_canvas;
     ThermalObjectList* m_list;
     ThermalHistogramPlot* m_histogram;
-    QBoxLayout* m_panel; ///< list and histogram
+    QLabel *m_status, *m_legend; ///< below the picture
+    QBoxLayout* m_panel;         ///< list and histogram
     QTimer* m_age;
 };
 
