@@ -50,7 +50,19 @@ void addAxes(Hdf5File& file, const Field& header) {
 /// Everything but the samples: always of one layout, whatever the tally.
 Result<Hdf5Sparse> skeleton(const std::string& where, const Field& header, bool withGradient,
                             const std::string& title, const FieldTally& tally) {
-    Hdf5File file(Hdf5File::Backing::Sparse);
+    std::vector<std::string> names;
+    std::vector<std::vector<std::size_t>> rooms(withGradient ? 2 : 1);
+    for (const FieldAxis& axis : header.axes) {
+        names.emplace_back(kCoordinateNames[axis.coordinate]);
+        rooms[0].push_back(static_cast<std::size_t>(axis.count));
+    }
+    std::ranges::reverse(names); // the first axis runs fastest
+    std::ranges::reverse(rooms[0]);
+    if (withGradient) {
+        rooms[1] = rooms[0];
+        rooms[1].push_back(kCoordinateNames.size());
+    }
+    Hdf5File file(Hdf5File::Backing::Sparse, rooms);
     file.attribute("/", "creator", kMark);
     file.attribute("/", "creator_version", BASK_VERSION);
     file.attribute("/", "NX_class", "NXroot");
@@ -60,14 +72,6 @@ Result<Hdf5Sparse> skeleton(const std::string& where, const Field& header, bool 
     file.text("/entry/title", title);
     file.group("/entry/field", "NXdata");
     file.attribute("/entry/field", "signal", header.quantity);
-    std::vector<std::string> names;
-    std::vector<std::size_t> sizes;
-    for (const FieldAxis& axis : header.axes) {
-        names.emplace_back(kCoordinateNames[axis.coordinate]);
-        sizes.push_back(static_cast<std::size_t>(axis.count));
-    }
-    std::ranges::reverse(names); // the first axis runs fastest
-    std::ranges::reverse(sizes);
     file.attribute("/entry/field", "axes", names);
     addAxes(file, header);
     file.group("/entry/sampling", "NXcollection");
@@ -76,11 +80,9 @@ Result<Hdf5Sparse> skeleton(const std::string& where, const Field& header, bool 
     file.number("/entry/sampling/samples_above_tolerance", static_cast<double>(tally.unreached), "1");
     file.number("/entry/sampling/largest_error_estimate", tally.largestError, "1");
     file.number("/entry/sampling/rough_shade", header.isShadeRough ? 1.0 : 0.0, "1");
-    file.room("/entry/field/" + header.quantity, sizes, header.unit.empty() ? "1" : header.unit);
-    if (withGradient) {
-        sizes.push_back(kCoordinateNames.size());
-        file.room("/entry/field/view_factor_gradient", sizes, "1/m, 1/rad");
-    }
+    file.room("/entry/field/" + header.quantity, rooms[0], header.unit.empty() ? "1" : header.unit);
+    if (withGradient)
+        file.room("/entry/field/view_factor_gradient", rooms[1], "1/m, 1/rad");
     return file.sparse(where);
 }
 

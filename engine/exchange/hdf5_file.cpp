@@ -19,10 +19,13 @@
 namespace bask {
 namespace {
 
-constexpr std::size_t kGrowth = 16 << 20;   // bytes that the image in memory grows by
-constexpr std::size_t kWorthPacking = 4096; // numbers; less is not compressed
-constexpr hsize_t kChunk = 1 << 16;         // numbers
-constexpr unsigned kPacking = 4;            // of 9
+constexpr std::size_t kGrowth = 16 << 20;                           // bytes that the image in memory grows by
+constexpr std::size_t kWorthPacking = 4096;                         // numbers; less is not compressed
+constexpr hsize_t kChunk = 1 << 16;                                 // numbers
+constexpr unsigned kPacking = 4;                                    // of 9
+constexpr hsize_t kMinRoomChunk = 1 << 13, kMaxRoomChunk = 1 << 17; // numbers, where the sizes have divisors
+constexpr hsize_t kMaxChunkBytes = 0xffffffff;                      // of the library's
+constexpr hsize_t kFirstIndexBytes = 8192, kIndexBytes = 128;       // of a file and of each room; of a chunk
 
 std::mutex& library() {
     static std::mutex mutex;
@@ -70,6 +73,45 @@ hid_t textType(std::size_t size) {
     return type;
 }
 
+hsize_t maxDivisor(hsize_t of, hsize_t limit) {
+    hsize_t divisor = std::min(of, limit);
+    while (of % divisor != 0)
+        --divisor;
+    return divisor;
+}
+
+hsize_t minDivisor(hsize_t of, hsize_t limit) {
+    return of / maxDivisor(of, std::max<hsize_t>(1, of / limit));
+}
+
+/// The chunks of a room: whole in the last sizes, a divisor of the one before, 1 in all others, so that each
+/// is a range of the numbers and none is cut. Nothing if that is more than the library has in a chunk.
+std::vector<hsize_t> roomChunk(const std::vector<hsize_t>& sizes) {
+    std::vector<hsize_t> chunk(sizes.size(), 1);
+    hsize_t numbers = 1;
+    std::size_t k = sizes.size();
+    while (k > 0 && numbers * sizes[k - 1] <= kMaxRoomChunk) {
+        --k;
+        chunk[k] = sizes[k];
+        numbers *= sizes[k];
+    }
+    if (k == 0)
+        return chunk;
+    const hsize_t limit = kMaxRoomChunk / numbers;
+    chunk[k - 1] = maxDivisor(sizes[k - 1], limit);
+    if (numbers * chunk[k - 1] < kMinRoomChunk)
+        chunk[k - 1] = minDivisor(sizes[k - 1], limit + 1);
+    return numbers * chunk[k - 1] * sizeof(double) <= kMaxChunkBytes ? chunk : std::vector<hsize_t>();
+}
+
+hsize_t roomChunks(const std::vector<hsize_t>& sizes) {
+    const std::vector<hsize_t> chunk = roomChunk(sizes);
+    hsize_t chunks = 1;
+    for (std::size_t k = 0; k < chunk.size(); ++k)
+        chunks *= sizes[k] / chunk[k];
+    return chunks;
+}
+
 std::vector<const char*> pointers(const std::vector<std::string>& texts) {
     std::vector<const char*> out;
     for (const std::string& text : texts)
@@ -86,11 +128,12 @@ struct Hdf5File::Impl {
     std::string refused; ///< what failed first
     struct Room {
         std::string path;
+        std::vector<hsize_t> sizes, chunk; ///< no chunk: in one piece
         std::uint64_t bytes;
     };
     std::vector<Room> rooms;
 
-    void open(Backing backing) {
+    void open(Backing backing, const std::vector<std::vector<std::size_t>>& roomSizes) {
         const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
         std::string name = "bask-export-in-memory";
         if (backing == Backing::Sparse) {
@@ -99,6 +142,10 @@ struct Hdf5File::Impl {
             name = (::access("/dev/shm", W_OK) == 0 ? "/dev/shm" : "/tmp") + std::string("/bask-XXXXXX");
             memory = ::mkostemp(name.data(), O_CLOEXEC);
             H5Pset_file_locking(access, false, true);
+            hsize_t index = kFirstIndexBytes; // in one block, or it would lie between the chunks
+            for (const auto& sizes : roomSizes)
+                index += kFirstIndexBytes + kIndexBytes * roomChunks({sizes.begin(), sizes.end()});
+            H5Pset_meta_block_size(access, index);
         } else {
             H5Pset_fapl_core(access, kGrowth, false);
         }
@@ -106,6 +153,29 @@ struct Hdf5File::Impl {
         if (memory >= 0)
             ::unlink(name.c_str());
         check(file >= 0, "/");
+    }
+
+    /// Where a room begins, if its chunks lie one after another, else nowhere.
+    static haddr_t place(hid_t set, const Room& room) {
+        if (room.chunk.empty())
+            return H5Dget_offset(set);
+        std::vector<hsize_t> at(room.sizes.size(), 0);
+        haddr_t first = HADDR_UNDEF, next = HADDR_UNDEF;
+        for (;;) {
+            haddr_t here = HADDR_UNDEF;
+            hsize_t bytes = 0;
+            if (H5Dget_chunk_info_by_coord(set, at.data(), nullptr, &here, &bytes) < 0 ||
+                here == HADDR_UNDEF || (first != HADDR_UNDEF && here != next))
+                return HADDR_UNDEF;
+            if (first == HADDR_UNDEF)
+                first = here;
+            next = here + bytes;
+            std::size_t k = at.size(); // on to the next one, the last sizes first
+            while (k > 0 && (at[k - 1] += room.chunk[k - 1]) >= room.sizes[k - 1])
+                at[--k] = 0;
+            if (k == 0)
+                return first;
+        }
     }
 
     /// What is in the memory from one byte to another.
@@ -145,9 +215,10 @@ struct Hdf5File::Impl {
     }
 };
 
-Hdf5File::Hdf5File(Backing backing) : m_impl(std::make_unique<Impl>()) {
+Hdf5File::Hdf5File(Backing backing, const std::vector<std::vector<std::size_t>>& roomSizes)
+    : m_impl(std::make_unique<Impl>()) {
     beQuiet();
-    m_impl->open(backing);
+    m_impl->open(backing, roomSizes);
 }
 
 Hdf5File::~Hdf5File() {
@@ -229,20 +300,22 @@ void Hdf5File::pictures(const std::string& path, std::size_t count, int rows, in
 
 void Hdf5File::room(const std::string& path, const std::vector<std::size_t>& sizes,
                     const std::string& units) {
-    const std::vector<hsize_t> extent(sizes.begin(), sizes.end());
+    const std::vector<hsize_t> extent(sizes.begin(), sizes.end()), chunk = roomChunk(extent);
     std::uint64_t bytes = sizeof(double);
     for (const std::size_t size : sizes)
         bytes *= size;
     const Handle space(H5Screate_simple(static_cast<int>(extent.size()), extent.data(), nullptr), H5Sclose);
     const Handle how(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
     H5Pset_obj_track_times(how, false);
+    if (!chunk.empty())
+        H5Pset_chunk(how, static_cast<int>(chunk.size()), chunk.data());
     H5Pset_alloc_time(how, H5D_ALLOC_TIME_EARLY);
     H5Pset_fill_time(how, H5D_FILL_TIME_NEVER);
     const Handle set(
         H5Dcreate2(m_impl->file, path.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, how, H5P_DEFAULT),
         H5Dclose);
     m_impl->check(set >= 0, path);
-    m_impl->rooms.push_back({path, bytes});
+    m_impl->rooms.push_back({path, extent, chunk, bytes});
     attribute(path, "units", units);
 }
 
@@ -250,7 +323,7 @@ Result<Hdf5Sparse> Hdf5File::sparse(const std::string& where) {
     Hdf5Sparse all;
     for (const Impl::Room& room : m_impl->rooms) {
         const Handle set(H5Dopen2(m_impl->file, room.path.c_str(), H5P_DEFAULT), H5Dclose);
-        const haddr_t offset = H5Dget_offset(set);
+        const haddr_t offset = Impl::place(set, room);
         m_impl->check(offset != HADDR_UNDEF, room.path);
         all.rooms.push_back(offset);
     }

@@ -27,9 +27,11 @@ class Hdf5File {
 public:
     enum class Backing {
         Memory,
-        Sparse ///< memory too, but none for rooms
+        Sparse ///< memory too, but none for what is in rooms
     };
-    explicit Hdf5File(Backing backing = Backing::Memory);
+    /// `roomSizes`: those of all rooms that will be added.
+    explicit Hdf5File(Backing backing = Backing::Memory,
+                      const std::vector<std::vector<std::size_t>>& roomSizes = {});
     ~Hdf5File();
 
     /// Returns the version of the HDF5 library: "1.10.8".
@@ -50,8 +52,9 @@ public:
     /// Adds room for `count` pictures of 16 bits: [count, rows, columns], each a chunk of its own, compressed
     /// without loss. Hdf5Pictures fills it.
     void pictures(const std::string& path, std::size_t count, int rows, int columns);
-    /// Adds numbers [sizes...], in one piece, that are written into the file later, without the library. Only
-    /// with Backing::Sparse.
+    /// Adds numbers [sizes...] that are written into the file later, without the library. They are in chunks
+    /// of about a megabyte, each a range of the numbers, one after another: in the file they lie in their own
+    /// order, in one piece. Only with Backing::Sparse.
     void room(const std::string& path, const std::vector<std::size_t>& sizes, const std::string& units);
     /// Adds another name for something that exists.
     void link(const std::string& there, const std::string& path);

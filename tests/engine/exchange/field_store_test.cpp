@@ -94,6 +94,59 @@ TEST_F(FieldStoreFile, hasEverySampleInItsPlace) {
     EXPECT_TRUE(checkFieldStore(path())) << "may be replaced by the next";
 }
 
+std::vector<hsize_t> chunkOf(const std::string& file, const char* name) {
+    const hid_t in = H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+    const hid_t set = H5Dopen2(in, name, H5P_DEFAULT);
+    const hid_t how = H5Dget_create_plist(set);
+    std::vector<hsize_t> chunk;
+    if (H5Pget_layout(how) == H5D_CHUNKED) {
+        chunk.resize(H5S_MAX_RANK);
+        chunk.resize(static_cast<std::size_t>(H5Pget_chunk(how, H5S_MAX_RANK, chunk.data())));
+    }
+    H5Pclose(how);
+    H5Dclose(set);
+    H5Fclose(in);
+    return chunk;
+}
+
+// Catches: samples in another order where there are many chunks, chunks so small that there are millions of
+// them, sizes without divisors.
+TEST_F(FieldStoreFile, liesInChunksThatAreRangesOfItsSamples) {
+    struct Case {
+        std::vector<int> counts; ///< the first axis runs fastest
+        std::vector<hsize_t> chunk, gradientChunk;
+    };
+    const Case cases[] = {
+        {{4, 3}, {3, 4}, {3, 4, 6}},                                         // small: one
+        {{64, 64, 128}, {32, 64, 64}, {4, 64, 64, 6}},                       // of a megabyte, and not more
+        {{521, 521}, {521, 521}, {521, 521, 6}},                             // without a divisor: larger
+        {{50, 6, 7, 5, 41, 3}, {1, 1, 5, 7, 6, 50}, {1, 1, 5, 7, 6, 50, 6}}, // of three axes one each
+    };
+    for (const Case& one : cases) {
+        Field field = header();
+        field.axes.clear();
+        std::size_t count = 1;
+        for (std::size_t k = 0; k < one.counts.size(); ++k) {
+            field.axes.push_back({static_cast<Coordinate>(k), 0.1, 0.01, one.counts[k]});
+            count *= static_cast<std::size_t>(one.counts[k]);
+        }
+        std::vector<double> values(count), gradient(6 * count);
+        std::iota(values.begin(), values.end(), 0.5);
+        std::iota(gradient.begin(), gradient.end(), 1000.25);
+        {
+            const auto store = FieldStore::create(path(), field, true, "a disk");
+            ASSERT_TRUE(store) << describe(store.error());
+            ASSERT_TRUE((*store)->write(0, values, gradient));
+            ASSERT_TRUE((*store)->finish({}));
+        }
+        EXPECT_EQ(chunkOf(path(), "/entry/field/view_factor"), one.chunk);
+        EXPECT_EQ(chunkOf(path(), "/entry/field/view_factor_gradient"), one.gradientChunk);
+        EXPECT_EQ(numbersOf(path(), "/entry/field/view_factor"), values);
+        EXPECT_EQ(numbersOf(path(), "/entry/field/view_factor_gradient"), gradient);
+        EXPECT_LT(fs::file_size(path()), 56 * count + 100'000) << "room for the index";
+    }
+}
+
 TEST_F(FieldStoreFile, replacesNoForeignFile) {
     std::ofstream(path()) << "mine";
     const auto store = FieldStore::create(path(), header(), false, "");
