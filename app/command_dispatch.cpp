@@ -8,12 +8,14 @@
 #include <QCoreApplication>
 #include <QFileInfo>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <clocale>
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <optional>
 #include <string>
 #include <unistd.h>
 #include <vector>
@@ -98,19 +100,41 @@ int become(const char* part, char** argv) {
     return kExitFault;
 }
 
-int runSubcommand(const Subcommand& subcommand, int& argc, char** argv,
-                  std::unique_ptr<QCoreApplication> (*makeDrawing)(char** argv)) {
-    if (subcommand.run == nullptr)
-        return become("bask-draw", argv);
-    const auto application =
-        subcommand.drawsFigures ? makeDrawing(argv) : std::make_unique<QCoreApplication>(argc, argv);
+QStringList argumentsAfter(int first, int argc, char** argv) {
+    QStringList arguments;
+    for (int i = first; i < argc; ++i)
+        arguments << QString::fromLocal8Bit(argv[i]);
+    return arguments;
+}
+
+/// Before a subcommand does its work.
+void settle() {
     deleteUnfinishedOnSignals();
     std::setlocale(LC_NUMERIC, "C"); // Qt took the user's: devices and files want the decimal point
     QCoreApplication::setApplicationName(QStringLiteral("bask"));
-    QStringList arguments;
-    for (int i = 2; i < argc; ++i)
-        arguments << QString::fromLocal8Bit(argv[i]);
-    return finished(subcommand.run(arguments));
+}
+
+/// One shard of a work that draws: to load what draws would cost more than many a shard.
+std::optional<int> runShard(const Subcommand& subcommand, int& argc, char** argv) {
+    const QStringList arguments = argumentsAfter(2, argc, argv);
+    if (subcommand.runShard == nullptr ||
+        !std::ranges::any_of(arguments, [](const QString& word) { return word.startsWith("--shard"); }))
+        return std::nullopt;
+    const QCoreApplication application(argc, argv);
+    settle();
+    return subcommand.runShard(arguments);
+}
+
+int runSubcommand(const Subcommand& subcommand, int& argc, char** argv,
+                  std::unique_ptr<QCoreApplication> (*makeDrawing)(char** argv)) {
+    if (subcommand.run == nullptr) {
+        const auto done = runShard(subcommand, argc, argv);
+        return done ? finished(*done) : become("bask-draw", argv);
+    }
+    const auto application =
+        subcommand.drawsFigures ? makeDrawing(argv) : std::make_unique<QCoreApplication>(argc, argv);
+    settle();
+    return finished(subcommand.run(argumentsAfter(2, argc, argv)));
 }
 
 Dispatch ended(int exitCode) {

@@ -26,7 +26,7 @@ std::span<const Subcommand> subcommands() {
         Subcommand{"isosurface", "where an object has a view factor or steady temperature, for ParaView",
                    DRAWN(isosurfaceCommand)},
         Subcommand{"study", "repeat the paper's study of view-factor methods: table and figures",
-                   DRAWN(studyCommand), true},
+                   DRAWN(studyCommand), true, studyShardCommand},
         Subcommand{"merge", "the parts of a divided study or field, put together", DRAWN(mergeCommand), true},
         Subcommand{"reproduce",
                    "the paper's experiments, by its controllers and by the level servo: a report",

@@ -17,7 +17,8 @@ HEADER_SUFFIXES = {".h", ".hpp"}
 
 # Figures of `bask study` and `bask reproduce`: QCustomPlot is at home in widgets/plots; sheets of `bask make-board`, which the
 # Calibrate page draws, too; the language of reports. These headers have no widget.
-COMMAND_FOLDERS = {("app", "commands"), ("app", "drawing")}
+UNDRAWN = {("app", "commands"), ("app", "studies")}
+COMMAND_FOLDERS = UNDRAWN | {("app", "drawing")}
 DRAWING_HEADERS = {"widgets/common/language.h", "widgets/calibrate/board_sheet.h", "widgets/plots/figure_format.h", "widgets/plots/figure_paths.h", "widgets/plots/figure_png.h", "widgets/plots/figure_surfaces.h"}
 # Names of messages, from their tables.
 MADE_BY_THE_BUILD = {"engine/base/message_names.inc", "engine/base/condition_names.inc"}
@@ -174,8 +175,8 @@ class Checker:
             return "only the SVG reader's own sources include it"
         if target in VTK_INSIDE and path.parts[:2] != ("engine", "exchange"):
             return "only the writers of VTK files in engine/exchange include it"
-        if path.parts[:2] == ("app", "commands") and (parts[0] == "widgets" or parts[:2] == ("app", "drawing")):
-            return "app/commands includes neither widgets nor app/drawing: its program does not load their libraries"
+        if path.parts[:2] in UNDRAWN and (parts[0] == "widgets" or parts[:2] == ("app", "drawing")):
+            return "/".join(path.parts[:2]) + " includes neither widgets nor app/drawing: its program does not load their libraries"
         if path.parts[:2] == ("app", "drawing") and parts[0] == "widgets" and target not in DRAWING_HEADERS:
             return "app/drawing includes only widgets that draw without a display"
         return None

@@ -3,6 +3,7 @@
 
 #include <QStringList>
 
+#include <optional>
 #include <span>
 
 namespace bask {
@@ -18,6 +19,8 @@ struct Subcommand {
     const char* summary;
     int (*run)(const QStringList& arguments);
     bool drawsFigures = false; ///< runs on a QApplication off screen, with any display or none
+    /// Does the work of one shard, which draws nothing; empty: the arguments ask for none.
+    std::optional<int> (*runShard)(const QStringList& arguments) = nullptr;
 };
 
 /// Of the program that asks.
@@ -31,6 +34,7 @@ int fieldCommand(const QStringList& arguments);
 int isosurfaceCommand(const QStringList& arguments);
 int mergeCommand(const QStringList& arguments);
 int studyCommand(const QStringList& arguments);
+std::optional<int> studyShardCommand(const QStringList& arguments);
 int reproduceCommand(const QStringList& arguments);
 int identifyCommand(const QStringList& arguments);
 int exportCommand(const QStringList& arguments);

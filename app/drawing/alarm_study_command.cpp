@@ -3,52 +3,14 @@
 #include "app/commands/command_line.h"
 #include "app/commands/parse_command.h"
 #include "app/commands/progress.h"
-#include "app/drawing/paper_experiments.h"
 #include "app/drawing/studies.h"
-#include "app/drawing/study_output.h"
-#include "engine/base/hidden_folder.h"
-#include "engine/experiment/experiment_file.h"
-#include "engine/studies/alarm_study.h"
+#include "app/studies/study_work.h"
 #include "engine/studies/row_bytes.h"
-
-#include <QDir>
 
 #include <cstdio>
 
 namespace bask {
 namespace {
-
-constexpr const char* kAlarmStudyMark = "Bask alarm study";
-
-Result<std::vector<Experiment>> alarmRigs(AlarmDraw draw) {
-    const auto folder = HiddenFolder::temporary();
-    if (!folder)
-        return folder.error();
-    const QString path = QString::fromStdString(folder->path());
-    std::vector<Experiment> rigs;
-    if (draw == AlarmDraw::Paper) {
-        const auto unpacked = unpackPaperExperiments(path);
-        if (!unpacked)
-            return unpacked.error();
-        auto figures = readPaperFigures(*unpacked, {});
-        if (!figures)
-            return figures.error();
-        for (PaperFigure& figure : *figures)
-            for (PaperExperiment& each : figure.experiments)
-                rigs.push_back(std::move(each.experiment));
-        return rigs;
-    }
-    const auto copied = copyStudyFiles(path, {"triangle.json", "line.json"});
-    if (!copied)
-        return copied.error();
-    for (const char* name : {"triangle.json", "line.json"}) {
-        auto rig = readExperiment(folder->place(name));
-        if (!rig)
-            return rig.error();
-        rigs.push_back(std::move(*rig));
-    }
-    return rigs;
-}
 
 void printFaults(const AlarmSummary& summary) {
     if (summary.faults.empty())
@@ -99,46 +61,29 @@ bool isMet(const AlarmSummary& summary) {
     return summary.falseTrips == 0 && summary.falseWords == 0;
 }
 
-int runShardOf(const AlarmStudy& study, const std::string& stem, const AlarmRequest& request,
-               const ShardOptions& options) {
-    if (const auto valid = check(study); !valid)
-        return refuseStudy(valid.error());
-    const auto compute = [&](std::int64_t index) {
-        return Result<std::string>(bytesOf(runAlarmCase(study, static_cast<int>(index))));
-    };
-    return runShard("study", stem, {request.asked, study.count, "runs", compute}, options);
-}
-
 Result<std::vector<AlarmStudyRow>> rowsOf(const AlarmStudy& study, const StudyWay& way) {
     if (way.merged == nullptr) {
         Progress progress(study.count, "runs");
-        return runAlarmStudy(study, way.shard.threads, [&](int done) { progress.tell(done); });
+        return runAlarmStudy(study, way.threads, [&](int done) { progress.tell(done); });
     }
     return mergedRows<AlarmStudyRow>(*way.merged, study.count, alarmRowOf);
 }
 
 } // namespace
 
-int alarmStudyCommand(const QString& folder, const AlarmRequest& request, const StudyWay& way) {
-    static constexpr const char* kStems[] = {"alarm_study_healthy", "alarm_study_faulty",
-                                             "alarm_study_paper"};
-    const char* stem = kStems[static_cast<int>(request.draw)];
-    const auto files = studyFiles(way.command(), folder, kAlarmStudyMark, stem, {".csv"});
+int alarmStudyCommand(const AlarmRequest& request, const QString& folder, const StudyWay& way) {
+    const auto files = studyFiles(way.command(), folder, namesOf(request));
     if (!files)
         return kExitBadInput;
-    auto rigs = alarmRigs(request.draw);
-    if (!rigs)
-        return refuse(way.command(), rigs.error());
-    const AlarmStudy study{std::move(*rigs), request.draw,  request.count,
-                           request.seed,     request.first, request.readBy};
-    if (way.shard.shard)
-        return runShardOf(study, QDir(folder).filePath(stem).toStdString(), request, way.shard);
-    const auto rows = rowsOf(study, way);
+    const auto study = studyOf(request);
+    if (!study)
+        return refuse(way.command(), study.error());
+    const auto rows = rowsOf(*study, way);
     if (!rows)
         return refuse(way.command(), rows.error());
-    if (const auto written = writeFiles(*files, {alarmCsv(study, *rows)}); !written)
+    if (const auto written = writeFiles(*files, {alarmCsv(*study, *rows)}); !written)
         return refuse(way.command(), written.error());
-    printSummary(study, *rows);
+    printSummary(*study, *rows);
     return isMet(summarize(*rows)) ? kExitDone : kExitNegative;
 }
 

@@ -4,35 +4,15 @@
 #include "app/commands/parse_command.h"
 #include "app/commands/progress.h"
 #include "app/drawing/studies.h"
-#include "app/drawing/study_output.h"
-
-#include "engine/base/hidden_folder.h"
-#include "engine/experiment/experiment_file.h"
+#include "app/studies/study_work.h"
 #include "engine/studies/row_bytes.h"
 #include "widgets/plots/figure_png.h"
-
-#include <QDir>
 
 #include <algorithm>
 #include <cstdio>
 
 namespace bask {
 namespace {
-
-/// In every file of the study, near its beginning: what holds it may be replaced.
-constexpr const char* kClosedLoopStudyMark = "Bask closed-loop study";
-constexpr const char* kStem = "closed_loop_study";
-
-Result<Experiment> studyRig(StudyMounting mounting) {
-    const auto folder = HiddenFolder::temporary();
-    if (!folder)
-        return folder.error();
-    const auto copied =
-        copyStudyFiles(QString::fromStdString(folder->path()), {"triangle.json", "line.json"});
-    if (!copied)
-        return copied.error();
-    return readExperiment(folder->place(mounting == StudyMounting::Line ? "line.json" : "triangle.json"));
-}
 
 using ClosedLoopRows = std::vector<ClosedLoopRow>;
 
@@ -149,38 +129,10 @@ void printSummary(const ClosedLoopRows& rows) {
     std::printf("worst overshoot: %.2f K\n", summary.worstOvershoot_K);
 }
 
-ClosedLoopStudy studyOf(Experiment rig, const ClosedLoopRequest& request) {
-    static constexpr StudyMountings kMountings[] = {StudyMountings::AsGiven, StudyMountings::AsGiven,
-                                                    StudyMountings::InPlane, StudyMountings::Heights};
-    ClosedLoopStudy study{std::move(rig),
-                          kMountings[static_cast<std::size_t>(request.mounting)],
-                          request.count,
-                          request.seed,
-                          request.convection_W_m2K,
-                          request.sensorLag_s,
-                          request.robotLatency_s,
-                          request.uneven};
-    study.rig.controller.kind = request.controller;
-    study.rig.controller.estimatedRateErrorFactor = request.rateError;
-    study.rig.source.model = request.sourceModel;
-    return study;
-}
-
-int runShardOf(const ClosedLoopStudy& study, const std::string& stem, const ClosedLoopRequest& request,
-               const ShardOptions& options) {
-    if (const auto valid = check(study); !valid)
-        return refuseStudy(valid.error());
-    const auto compute = [&](std::int64_t index) -> Result<std::string> {
-        const auto row = runClosedLoopCase(study, static_cast<int>(index));
-        return row ? Result<std::string>(bytesOf(*row)) : row.error();
-    };
-    return runShard("study", stem, {request.asked, study.count, "runs", compute}, options);
-}
-
 Result<ClosedLoopRows> rowsOf(const ClosedLoopStudy& study, const StudyWay& way) {
     if (way.merged == nullptr) {
         Progress progress(study.count, "runs");
-        return runClosedLoopStudy(study, way.shard.threads, [&](int done) { progress.tell(done); });
+        return runClosedLoopStudy(study, way.threads, [&](int done) { progress.tell(done); });
     }
     return mergedRows<ClosedLoopRow>(*way.merged, study.count, [&](const std::string& bytes) {
         return closedLoopRowOf(bytes, study.rig.objects.size());
@@ -189,25 +141,22 @@ Result<ClosedLoopRows> rowsOf(const ClosedLoopStudy& study, const StudyWay& way)
 
 } // namespace
 
-int closedLoopStudyCommand(const QString& folder, const ClosedLoopRequest& request, const StudyWay& way) {
-    const auto files = studyFiles(way.command(), folder, kClosedLoopStudyMark, kStem,
-                                  {".csv", "_settling.png", "_ratio.png", "_overshoot.png"});
+int closedLoopStudyCommand(const ClosedLoopRequest& request, const QString& folder, const StudyWay& way) {
+    const StudyNames names = namesOf(request);
+    const auto files = studyFiles(way.command(), folder, names);
     if (!files)
         return kExitBadInput;
-    auto rig = studyRig(request.mounting);
-    if (!rig)
-        return refuse(way.command(), rig.error());
-    const ClosedLoopStudy study = studyOf(std::move(*rig), request);
-    if (way.shard.shard)
-        return runShardOf(study, QDir(folder).filePath(kStem).toStdString(), request, way.shard);
-    const auto rows = rowsOf(study, way);
+    const auto study = studyOf(request);
+    if (!study)
+        return refuse(way.command(), study.error());
+    const auto rows = rowsOf(*study, way);
     if (!rows)
         return refuse(way.command(), rows.error());
-    const QString note = noteOf(study, request);
-    std::vector<std::string> contents{closedLoopCsv(study, *rows)};
+    const QString note = noteOf(*study, request);
+    std::vector<std::string> contents{closedLoopCsv(*study, *rows)};
     for (const Figure& figure :
          {settlingFigure(*rows, note), ratioFigure(*rows, note), overshootFigure(*rows, note)})
-        contents.push_back(figurePng(figure, QString::fromLatin1(kClosedLoopStudyMark)).toStdString());
+        contents.push_back(figurePng(figure, QString::fromLatin1(names.mark)).toStdString());
     if (const auto written = writeFiles(*files, contents); !written)
         return refuse(way.command(), written.error());
     printSummary(*rows);

@@ -4,7 +4,7 @@
 #include "app/commands/parse_command.h"
 #include "app/commands/progress.h"
 #include "app/drawing/session_outputs.h"
-#include "app/drawing/study_output.h"
+#include "app/studies/study_output.h"
 #include "engine/recording/nexus_file.h"
 #include "engine/recording/session_verify.h"
 #include "engine/recording/session_vtk.h"

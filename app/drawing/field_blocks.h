@@ -1,7 +1,7 @@
 #pragma once
 // A field that is sampled block by block: into its file, or into the part of a shard; and parts put together.
 
-#include "app/drawing/shard_run.h"
+#include "app/studies/shard_run.h"
 #include "engine/radiation/field_sampler.h"
 
 #include <nlohmann/json_fwd.hpp>

@@ -8,7 +8,7 @@
 #include "app/commands/progress.h"
 #include "app/drawing/field_axes.h"
 #include "app/drawing/field_blocks.h"
-#include "app/drawing/study_output.h"
+#include "app/studies/study_output.h"
 #include "engine/base/message_code.h"
 #include "engine/exchange/field_store.h"
 #include "engine/experiment/experiment_file.h"

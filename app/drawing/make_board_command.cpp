@@ -3,7 +3,7 @@
 #include "app/commands/command_line.h"
 #include "app/commands/output_file.h"
 #include "app/commands/parse_command.h"
-#include "app/drawing/study_output.h"
+#include "app/studies/study_output.h"
 #include "engine/base/message_code.h"
 #include "engine/experiment/text_file.h"
 #include "widgets/calibrate/board_sheet.h"

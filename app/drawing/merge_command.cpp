@@ -5,9 +5,9 @@
 #include "app/commands/parse_command.h"
 #include "app/commands/progress.h"
 #include "app/drawing/field_blocks.h"
-#include "app/drawing/shard_run.h"
 #include "app/drawing/studies.h"
-#include "app/drawing/study_output.h"
+#include "app/studies/shard_run.h"
+#include "app/studies/study_output.h"
 #include "engine/base/message_code.h"
 
 #include <QCommandLineParser>

@@ -4,7 +4,7 @@
 #include "app/commands/parse_command.h"
 #include "app/commands/progress.h"
 #include "app/drawing/reproduction_report.h"
-#include "app/drawing/study_output.h"
+#include "app/studies/study_output.h"
 #include "engine/base/hidden_folder.h"
 #include "engine/base/whole_file.h"
 

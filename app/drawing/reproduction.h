@@ -1,7 +1,7 @@
 #pragma once
 // Runs the paper's experiments by the paper's controller and by the level servo, and reports the results.
 
-#include "app/drawing/paper_experiments.h"
+#include "app/studies/paper_experiments.h"
 #include "engine/control/joint_feasibility.h"
 #include "engine/runtime/simulated_run.h"
 #include "engine/studies/closed_loop_study.h"

@@ -1,6 +1,6 @@
 #include "app/drawing/view_factor_study.h"
 
-#include "app/drawing/study_output.h"
+#include "app/studies/study_output.h"
 #include "engine/base/hidden_folder.h"
 #include "engine/radiation/paper_methods.h"
 #include "engine/radiation/view_factor.h"

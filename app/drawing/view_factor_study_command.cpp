@@ -3,16 +3,13 @@
 #include "app/commands/command_line.h"
 #include "app/commands/progress.h"
 #include "app/drawing/studies.h"
-#include "app/drawing/study_output.h"
 #include "app/drawing/view_factor_study_figures.h"
+#include "app/studies/study_output.h"
 
 #include <cstdio>
 
 namespace bask {
 namespace {
-
-/// In every file of the study, near its beginning: what holds it may be replaced.
-constexpr const char* kViewFactorStudyMark = "Bask view-factor study";
 
 void printRow(const StudyRow& row) {
     std::string detail;
@@ -55,19 +52,21 @@ void printSummary(const ViewFactorStudy& study) {
 
 } // namespace
 
-int viewFactorStudyCommand(const QString& folder, int maxElements) {
-    const auto files = studyFiles("study", folder, kViewFactorStudyMark, "view_factor_study",
-                                  {".csv", "_elements.png", "_harmonics.png", "_points.png", "_time.png"});
+int viewFactorStudyCommand(const ViewFactorRequest& request, const QString& folder) {
+    const StudyNames names{"view_factor_study",
+                           "Bask view-factor study",
+                           {".csv", "_elements.png", "_harmonics.png", "_points.png", "_time.png"}};
+    const auto files = studyFiles("study", folder, names);
     if (!files)
         return kExitBadInput;
     Progress progress(1.0);
-    const auto study = runViewFactorStudy(maxElements, progress.share());
+    const auto study = runViewFactorStudy(request.maxElements, progress.share());
     progress.makeRoom();
     if (!study)
         return refuseStudy(study.error());
     std::vector<std::string> contents{studyCsv(*study)};
     for (const Figure& figure : viewFactorStudyFigures(*study))
-        contents.push_back(figurePng(figure, QString::fromLatin1(kViewFactorStudyMark)).toStdString());
+        contents.push_back(figurePng(figure, QString::fromLatin1(names.mark)).toStdString());
     if (const auto written = writeFiles(*files, contents); !written)
         return refuseStudy(written.error());
     printSummary(*study);

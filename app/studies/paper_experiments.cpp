@@ -1,7 +1,7 @@
-#include "app/drawing/paper_experiments.h"
+#include "app/studies/paper_experiments.h"
 
-#include "app/drawing/reproduction_plots.h"
-#include "app/drawing/study_output.h"
+#include "app/studies/reproduction_plots.h"
+#include "app/studies/study_output.h"
 #include "engine/base/json_text.h"
 #include "engine/base/message_code.h"
 #include "engine/base/plain_text.h"

@@ -1,14 +1,16 @@
-#include "app/drawing/shard_run.h"
+#include "app/studies/shard_run.h"
 
 #include "app/commands/command_line.h"
 #include "app/commands/parse_command.h"
 #include "app/commands/progress.h"
-#include "app/drawing/study_output.h"
 #include "app/exact_version.h"
+#include "app/studies/study_output.h"
 #include "engine/base/message_code.h"
 #include "engine/base/parallel.h"
+#include "engine/base/program_part.h"
 #include "engine/radiation/kernels/kernels.h"
 
+#include <QFile>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -63,39 +65,46 @@ Result<void> selectProcessor(const QString& name) {
     return Error(MessageCode::ValueUnknown, "--processor", {name.toStdString(), known});
 }
 
-/// The linker's identification of this program, in hex: the revision alone does not tell of changes since.
+/// The linker's identification of the build, in hex: the revision alone does not tell of changes since. Of
+/// bask-draw, whose parts they are that `bask` computes.
 std::string buildId() {
-    std::string id;
-    const auto look = [](dl_phdr_info* info, std::size_t, void* to) {
-        for (int k = 0; k < info->dlpi_phnum; ++k) {
-            const auto& segment = info->dlpi_phdr[k];
-            if (segment.p_type != PT_NOTE)
-                continue;
-            const auto* at = reinterpret_cast<const unsigned char*>(info->dlpi_addr + segment.p_vaddr);
-            const unsigned char* const end = at + segment.p_memsz;
-            while (at + sizeof(ElfW(Nhdr)) <= end) {
-                ElfW(Nhdr) note;
-                std::memcpy(&note, at, sizeof note);
-                const unsigned char* const bytes = at + sizeof note + ((note.n_namesz + 3U) & ~3U);
-                if (note.n_type == NT_GNU_BUILD_ID)
-                    *static_cast<std::string*>(to) =
-                        QByteArray(reinterpret_cast<const char*>(bytes),
-                                   std::min<int>(8, static_cast<int>(note.n_descsz)))
-                            .toHex()
-                            .toStdString();
-                at = bytes + ((note.n_descsz + 3U) & ~3U);
-            }
+    QFile program(QString::fromStdString(programPart("bask-draw", {})));
+    const uchar* const bytes = program.open(QIODevice::ReadOnly) ? program.map(0, program.size()) : nullptr;
+    const auto size = static_cast<std::size_t>(program.size());
+    ElfW(Ehdr) head;
+    if (bytes == nullptr || size < sizeof head)
+        return "unknown";
+    std::memcpy(&head, bytes, sizeof head);
+    for (std::size_t k = 0; k < head.e_phnum; ++k) {
+        ElfW(Phdr) segment;
+        const std::size_t at = head.e_phoff + k * sizeof segment;
+        if (at + sizeof segment > size)
+            break;
+        std::memcpy(&segment, bytes + at, sizeof segment);
+        if (segment.p_type != PT_NOTE || segment.p_offset + segment.p_filesz > size)
+            continue;
+        const std::size_t end = segment.p_offset + segment.p_filesz;
+        for (std::size_t place = segment.p_offset; place + sizeof(ElfW(Nhdr)) <= end;) {
+            ElfW(Nhdr) note;
+            std::memcpy(&note, bytes + place, sizeof note);
+            place += sizeof note + ((note.n_namesz + 3U) & ~3U);
+            constexpr std::size_t kShown = 8;
+            if (note.n_type == NT_GNU_BUILD_ID && place + note.n_descsz <= end)
+                return QByteArray(reinterpret_cast<const char*>(bytes + place),
+                                  static_cast<int>(std::min<std::size_t>(kShown, note.n_descsz)))
+                    .toHex()
+                    .toStdString();
+            place += (note.n_descsz + 3U) & ~3U;
         }
-        return 1; // the program itself comes first
-    };
-    ::dl_iterate_phdr(look, &id);
-    return id.empty() ? "unknown" : id;
+    }
+    return "unknown";
 }
 
 } // namespace
 
 std::string ownSoftware() {
-    return "Bask " + exactVersion().toStdString() + ", build " + buildId();
+    static const std::string own = "Bask " + exactVersion().toStdString() + ", build " + buildId();
+    return own;
 }
 
 void addShardOptions(QCommandLineParser& parser) {

@@ -1,4 +1,4 @@
-#include "app/drawing/study_output.h"
+#include "app/studies/study_output.h"
 
 #include "app/commands/parse_command.h"
 #include "engine/base/message_code.h"
@@ -45,12 +45,11 @@ Result<void> copyStudyFiles(const QString& folder, const QStringList& names) {
 }
 
 std::optional<std::vector<OutputFile>> studyFiles(const char* command, const QString& folder,
-                                                  const char* mark, const char* stem,
-                                                  const QStringList& endings) {
-    QStringList names;
-    for (const QString& ending : endings)
-        names << QLatin1String(stem) + ending;
-    return filesIn(folder, command, mark, names);
+                                                  const StudyNames& names) {
+    QStringList files;
+    for (const QString& ending : names.endings)
+        files << QLatin1String(names.stem) + ending;
+    return filesIn(folder, command, names.mark, files);
 }
 
 } // namespace bask

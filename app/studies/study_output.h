@@ -20,9 +20,15 @@ QStringList studyResources(const QString& below);
 /// Copies files of the studies' own resources, for readers that want a file.
 Result<void> copyStudyFiles(const QString& folder, const QStringList& names);
 
-/// As filesIn() for the subcommand, for each ending: "stem.csv", "stem_time.png".
+/// The files of a study: "stem.csv", "stem_time.png".
+struct StudyNames {
+    const char* stem;
+    const char* mark; ///< in each of them, near its beginning: what holds it may be replaced
+    QStringList endings;
+};
+
+/// As filesIn() for the subcommand.
 std::optional<std::vector<OutputFile>> studyFiles(const char* command, const QString& folder,
-                                                  const char* mark, const char* stem,
-                                                  const QStringList& endings);
+                                                  const StudyNames& names);
 
 } // namespace bask

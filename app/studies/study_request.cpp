@@ -1,9 +1,7 @@
-// bask study: which study, with which options.
+#include "app/studies/study_request.h"
 
-#include "app/commands/command_line.h"
 #include "app/commands/parse_command.h"
-#include "app/drawing/studies.h"
-#include "app/drawing/study_output.h"
+#include "app/studies/study_output.h"
 #include "engine/control/controller_catalogue.h"
 
 #include <QCommandLineParser>
@@ -82,12 +80,19 @@ private:
     QString m_complaint;
 };
 
-int runViewFactor(const QCommandLineParser& parser, const QString& folder) {
-    Options options(parser, kViewFactor, {"elements"});
-    const int elements = options.wholeNumber("elements", kMinElements, kMaxElements);
+/// The request, or the first complaint in the name of the command that asks.
+template <class Request>
+AskedStudy checked(const char* command, const Options& options, Request request, const QString& folder,
+                   const ShardOptions& shard) {
     if (!options.complaint().isEmpty())
-        return refuseStudy(options.complaint());
-    return viewFactorStudyCommand(folder, elements);
+        return refuse(command, options.complaint());
+    return StudyRequest{std::move(request), folder, shard};
+}
+
+AskedStudy readViewFactor(const QCommandLineParser& parser, const QString& folder) {
+    Options options(parser, kViewFactor, {"elements"});
+    const ViewFactorRequest request{options.wholeNumber("elements", kMinElements, kMaxElements)};
+    return checked("study", options, request, folder, {});
 }
 
 /// As in files, but for the level servo's short name.
@@ -111,7 +116,8 @@ std::string asked(const QCommandLineParser& parser, const QString& study, const 
     return work.dump();
 }
 
-int runClosedLoop(const QCommandLineParser& parser, const QString& folder, const StudyWay& way) {
+AskedStudy readClosedLoop(const QCommandLineParser& parser, const char* command, const QString& folder,
+                          const ShardOptions& shard) {
     Options options(parser, kClosedLoop, kClosedLoopOptions + kHow);
     static constexpr SourceModel kModels[] = {SourceModel::Gray, SourceModel::Paper};
     static constexpr StudyMounting kMountings[] = {StudyMounting::Triangle, StudyMounting::Line,
@@ -128,13 +134,12 @@ int runClosedLoop(const QCommandLineParser& parser, const QString& folder, const
     request.uneven = 0.01 * options.number("uneven", 0.0, kMaxUneven_percent);
     request.count = options.wholeNumber("count", 1, kMaxCount);
     request.seed = options.seed();
-    if (!options.complaint().isEmpty())
-        return refuse(way.command(), options.complaint());
     request.asked = asked(parser, kClosedLoop, kClosedLoopOptions);
-    return closedLoopStudyCommand(folder, request, way);
+    return checked(command, options, std::move(request), folder, shard);
 }
 
-int runAlarms(const QCommandLineParser& parser, const QString& folder, const StudyWay& way) {
+AskedStudy readAlarms(const QCommandLineParser& parser, const char* command, const QString& folder,
+                      const ShardOptions& shard) {
     Options options(parser, kAlarms, kAlarmOptions + kHow);
     static constexpr AlarmDraw kDraws[] = {AlarmDraw::Healthy, AlarmDraw::Faulty, AlarmDraw::Paper};
     static constexpr ReadBy kReadBy[] = {ReadBy::Contact, ReadBy::Camera, ReadBy::Both};
@@ -144,15 +149,14 @@ int runAlarms(const QCommandLineParser& parser, const QString& folder, const Stu
     request.count = options.wholeNumber("count", 1, kMaxCount);
     request.seed = options.seed();
     request.first = options.wholeNumber("first", 1, kMaxCount);
-    if (!options.complaint().isEmpty())
-        return refuse(way.command(), options.complaint());
     request.asked = asked(parser, kAlarms, kAlarmOptions);
-    return alarmStudyCommand(folder, request, way);
+    return checked(command, options, std::move(request), folder, shard);
 }
 
-int runDivided(const QCommandLineParser& parser, const QString& study, const QString& folder,
-               const StudyWay& way) {
-    return study == kClosedLoop ? runClosedLoop(parser, folder, way) : runAlarms(parser, folder, way);
+AskedStudy readDivided(const QCommandLineParser& parser, const QString& study, const char* command,
+                       const QString& folder, const ShardOptions& shard) {
+    return study == kClosedLoop ? readClosedLoop(parser, command, folder, shard)
+                                : readAlarms(parser, command, folder, shard);
 }
 
 void addStudyOptions(QCommandLineParser& parser) {
@@ -197,7 +201,7 @@ void addStudyOptions(QCommandLineParser& parser) {
 
 } // namespace
 
-int studyCommand(const QStringList& arguments) {
+AskedStudy readStudy(const QStringList& arguments) {
     QCommandLineParser parser;
     parser.setApplicationDescription(
         "view-factor repeats the study of the paper's Appendix B on Bask's bunny over a disk at 5 cm: the\n"
@@ -226,14 +230,14 @@ int studyCommand(const QStringList& arguments) {
     if (folder.isEmpty())
         return refuseStudy(QStringLiteral("-o DIR is needed"));
     if (study == kViewFactor)
-        return runViewFactor(parser, folder);
-    const auto way = readShardOptions(parser);
-    if (!way)
-        return refuseStudy(way.error());
-    return runDivided(parser, study, folder, {*way, nullptr});
+        return readViewFactor(parser, folder);
+    const auto shard = readShardOptions(parser);
+    if (!shard)
+        return refuseStudy(shard.error());
+    return readDivided(parser, study, "study", folder, *shard);
 }
 
-int mergeStudy(const MergedParts& parts, const nlohmann::json& work, const QString& folder) {
+AskedStudy readMergedStudy(const nlohmann::json& work, const QString& folder) {
     QStringList arguments{QStringLiteral("bask")};
     QString study;
     const QString unknown = QStringLiteral("the parts are of a study that this Bask does not know");
@@ -249,7 +253,7 @@ int mergeStudy(const MergedParts& parts, const nlohmann::json& work, const QStri
     addStudyOptions(parser);
     if (!parser.parse(arguments) || (study != kClosedLoop && study != kAlarms))
         return refuse("merge", unknown);
-    return runDivided(parser, study, folder, {{}, &parts});
+    return readDivided(parser, study, "merge", folder, {});
 }
 
 } // namespace bask

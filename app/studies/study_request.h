@@ -1,24 +1,20 @@
 #pragma once
-// The studies of `bask study`, called with checked options: each does the work, writes its files into
-// `folder`, prints its summary and returns an exit code; or does the work of one shard and writes its part.
+// What is asked of `bask study`, read from its options and checked.
 
-#include "app/drawing/shard_run.h"
+#include "app/studies/shard_run.h"
+#include "engine/model/experiment.h"
 #include "engine/studies/alarm_draw.h"
-#include "engine/studies/closed_loop_study.h"
 
 #include <QString>
+#include <QStringList>
 #include <nlohmann/json_fwd.hpp>
+
+#include <variant>
 
 namespace bask {
 
-int viewFactorStudyCommand(const QString& folder, int maxElements);
-
-/// How the runs of a study are come by: computed here, or by shards and merged.
-struct StudyWay {
-    ShardOptions shard;
-    const MergedParts* merged = nullptr; ///< null: computed
-
-    const char* command() const { return merged != nullptr ? "merge" : "study"; }
+struct ViewFactorRequest {
+    int maxElements = 0;
 };
 
 enum class StudyMounting { Triangle, Line, Random, Heights };
@@ -37,7 +33,6 @@ struct ClosedLoopRequest {
     std::uint64_t seed = 1;
     std::string asked = {}; ///< all this as PartHeader::work
 };
-int closedLoopStudyCommand(const QString& folder, const ClosedLoopRequest& request, const StudyWay& way);
 
 struct AlarmRequest {
     AlarmDraw draw = AlarmDraw::Healthy;
@@ -47,10 +42,19 @@ struct AlarmRequest {
     int first = 1;          ///< first random draw
     std::string asked = {}; ///< all this as PartHeader::work
 };
-/// Returns kExitNegative if there was a false alarm, or if a fault with effects was not detected.
-int alarmStudyCommand(const QString& folder, const AlarmRequest& request, const StudyWay& way);
 
-/// Writes the files of a study that was divided, and prints its summary. `work` is that of the parts, read.
-int mergeStudy(const MergedParts& parts, const nlohmann::json& work, const QString& folder);
+struct StudyRequest {
+    std::variant<ViewFactorRequest, ClosedLoopRequest, AlarmRequest> study;
+    QString folder;     ///< of the files
+    ShardOptions shard; ///< of the studies that can be divided
+};
+
+/// A request, or an exit code: help was printed, or a refusal reported on standard error.
+using AskedStudy = std::variant<StudyRequest, int>;
+
+/// Reads the arguments after `study`.
+AskedStudy readStudy(const QStringList& arguments);
+/// Reads what parts of a study were asked for; `work` is that of the parts, read.
+AskedStudy readMergedStudy(const nlohmann::json& work, const QString& folder);
 
 } // namespace bask

@@ -63,6 +63,7 @@ class IncludeCheck(unittest.TestCase):
 
     def test_command_includes_widgets(self):
         self.assert_violation("app/commands/bad.cpp", '#include "widgets/common/chip.h"\n', 1, "folder")
+        self.assert_violation("app/studies/bad.cpp", '#include "widgets/common/chip.h"\n', 1, "folder")
         self.assert_violation("app/drawing/bad.cpp", '#include "widgets/common/chip.h"\n', 1, "folder")
 
     def test_command_needs_a_display(self):
