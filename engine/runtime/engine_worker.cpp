@@ -450,6 +450,9 @@ Result<void> EngineWorker::armWith(const Arm& arm) {
 Result<void> EngineWorker::armNow() {
     if (const auto may = m_session->loop.mayArm(); !may)
         return may;
+    record();
+    if (!m_pending.newSamples.empty())
+        publish();    // those of the previous run, with its number
     closeRecording(); // the recording of the previous run, with its outcome
     const auto armed = m_session->loop.arm();
     if (armed)

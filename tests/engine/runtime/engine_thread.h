@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace bask {
@@ -30,6 +32,10 @@ public:
             if (snapshot.refusal.code != MessageCode::None)
                 refusal = snapshot.refusal;
             samples += snapshot.newSamples.size();
+            if (std::exchange(m_runId, snapshot.runId) != snapshot.runId)
+                firstOfRun_s.reset();
+            if (!firstOfRun_s && !snapshot.newSamples.empty())
+                firstOfRun_s = snapshot.newSamples.front().time_s;
             ++snapshots;
             std::ranges::copy(snapshot.newEvents, std::back_inserter(events));
             inOrder = inOrder && snapshot.sequence == m_sequence + 1;
@@ -70,6 +76,7 @@ public:
     Snapshot last;
     Message refusal;
     std::size_t samples = 0;
+    std::optional<double> firstOfRun_s; ///< time of the first sample told with the newest run's number
     std::vector<TraceEvent> events;
     std::shared_ptr<const VisionView> view; ///< handed on last
     int views = 0;
@@ -79,7 +86,7 @@ public:
 private:
     QThread m_thread;
     EngineWorker m_worker;
-    std::uint64_t m_sequence = 0;
+    std::uint64_t m_sequence = 0, m_runId = 0;
 };
 
 } // namespace bask

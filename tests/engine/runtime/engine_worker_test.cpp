@@ -982,6 +982,27 @@ bool wasTold(const EngineThread& rig, MessageCode code) {
 
 } // namespace
 
+// Catches a sample of the cooling after a run that is told as the next one's: a plot then waits for that
+// time, and stays empty for minutes.
+TEST(EngineWorker, SamplesOfTheRunBeforeAreNotToldAsTheNextOnes) {
+    const QTemporaryDir folder;
+    EngineThread rig;
+    ASSERT_NO_FATAL_FAILURE(beInTail(rig, folder.filePath("run.bask").toStdString()));
+    for (int run = 0; run < 5; ++run) { // a sample comes in 25 ms, a snapshot in 60 ms
+        ASSERT_TRUE(rig.waitFor([&] { return rig.last.runTime_s > 15.0 + run; }));
+        QThread::msleep(30); // between two snapshots, after a sample
+        rig.send(Arm{folder.filePath(QStringLiteral("next%1.bask").arg(run)).toStdString()});
+        ASSERT_TRUE(rig.reaches(RunState::Armed));
+        rig.send(Start{true});
+        ASSERT_TRUE(rig.waitFor([&] { return rig.last.runTime_s > 3.0 && rig.firstOfRun_s; }));
+        EXPECT_LT(*rig.firstOfRun_s, 3.0) << "run " << run;
+        rig.send(EmergencyStop{});
+        ASSERT_TRUE(rig.reaches(RunState::Fault));
+        rig.send(Reset{});
+        ASSERT_TRUE(rig.reaches(RunState::Ready));
+    }
+}
+
 // Catches a full disk that ends what the rig is used for after the run.
 TEST(EngineWorker, ARecorderThatFailsAfterTheRunIsToldAndFaultsNothing) {
     const QTemporaryDir folder;
