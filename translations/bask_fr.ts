@@ -142,7 +142,7 @@
         <translation>Ombre</translation>
     </message>
     <message>
-        <source>Share of the source's light that other objects, fixtures and shields take from each object.</source>
+        <source>Share of the source&apos;s light that other objects, fixtures and shields take from each object.</source>
         <translation>Part de la lumière de la source que d’autres objets, supports et écrans prennent à chaque objet.</translation>
     </message>
     <message>
@@ -1200,16 +1200,8 @@
         <translation>La pose de la source est de nouveau mesurée</translation>
     </message>
     <message>
-        <source>The robot does not answer: %1. Check its link, then reset.</source>
-        <translation>Le robot ne répond pas&#xa0;:&#xa0;%1. Vérifiez sa liaison, puis réinitialisez.</translation>
-    </message>
-    <message>
         <source>The heat source does not answer: %1. Check its link, then reset.</source>
         <translation>La source de chaleur ne répond pas&#xa0;:&#xa0;%1. Vérifiez sa liaison, puis réinitialisez.</translation>
-    </message>
-    <message>
-        <source>STOP was pressed: the robot stands still and the heat is off. Reset when it is safe.</source>
-        <translation>STOP a été pressé&#xa0;: le robot est immobile et le chauffage coupé. Réinitialisez quand tout est sûr.</translation>
     </message>
     <message>
         <source>The recording failed: %1. Free disk space or choose another folder, then reset.</source>
@@ -2060,14 +2052,6 @@
         <translation>l’ordre n’a pas été pris (simulé)</translation>
     </message>
     <message>
-        <source>The temperature of &quot;%1&quot; does not follow its heat: in %3 s it changed by %4 where at least %2 was due. Its sensor may be off or on another object, the object may be gone, or the source may be elsewhere than expected. Bask switches the heat off. Check these, then reset.</source>
-        <translation>La température de « %1 » ne suit pas sa chaleur : en %3 s elle a changé de %4 là où au moins %2 était attendu. Son capteur est peut-être décollé ou sur un autre objet, l’objet est peut-être parti, ou la source est ailleurs que prévu. Bask coupe le chauffage. Vérifiez tout cela, puis réinitialisez.</translation>
-    </message>
-    <message>
-        <source>The temperature of &quot;%1&quot; does not follow its heat: in %3 s it changed by %4 where at least %2 was due, and &quot;%5&quot; deviates the other way. Their sensors may be swapped, or that of &quot;%1&quot; is off. Bask switches the heat off. Check both, then reset.</source>
-        <translation>La température de « %1 » ne suit pas sa chaleur : en %3 s elle a changé de %4 là où au moins %2 était attendu, et « %5 » s’écarte dans l’autre sens. Leurs capteurs sont peut-être échangés, ou celui de « %1 » est décollé. Bask coupe le chauffage. Vérifiez les deux, puis réinitialisez.</translation>
-    </message>
-    <message>
         <source>The sensors of &quot;%1&quot; and &quot;%2&quot; seem to be swapped: what they read in the last %3 s agrees with the heat of the other object, not with that of their own. The heat is off. Check both, confirm them, then reset.</source>
         <translation>Les capteurs de « %1 » et « %2 » semblent échangés : ce qu’ils ont indiqué dans les %3 dernières secondes s’accorde avec la chaleur de l’autre objet, non avec celle du leur. Le chauffage est coupé. Vérifiez les deux, confirmez-les, puis réinitialisez.</translation>
     </message>
@@ -2178,6 +2162,30 @@
     <message>
         <source>&quot;%1&quot; is at %2 and warms by %3/s with the heat off; the source explains at most %4/s. Something else heats it, or its sensor has just been put on it. Look at it before it reaches its limits.</source>
         <translation>« %1 » est à %2 et chauffe de %3/s alors que le chauffage est coupé ; la source explique au plus %4/s. Autre chose le chauffe, ou son capteur vient d’être posé sur lui. Regardez-le avant qu’il n’atteigne ses limites.</translation>
+    </message>
+    <message>
+        <source>The robot does not answer: %1. What it holds stays where it is, perhaps before a hot source. Check its link, then reset and retreat.</source>
+        <translation>Le robot ne répond pas&#xa0;:&#xa0;%1. Ce qu’il tient reste où il est, peut-être devant une source chaude. Vérifiez sa liaison, puis réinitialisez et retirez les objets.</translation>
+    </message>
+    <message>
+        <source>STOP was pressed: the robot stands still and the heat is off. What it holds stays where it is, perhaps before a hot source. Reset when it is safe, and retreat.</source>
+        <translation>STOP a été pressé&#xa0;: le robot est immobile et le chauffage coupé. Ce qu’il tient reste où il est, peut-être devant une source chaude. Réinitialisez quand tout est sûr, et retirez les objets.</translation>
+    </message>
+    <message>
+        <source>simulated fault removed: %1</source>
+        <translation>défaut simulé supprimé : %1</translation>
+    </message>
+    <message>
+        <source>The sensor of &quot;%1&quot; reads %2. By now the object may be anywhere from %3 to %4, where its wrong readings were too, so Bask cannot tell whether this one is right. Check that the sensor is on its object, then confirm it.</source>
+        <translation>Le capteur de «&#xa0;%1&#xa0;» indique %2. L’objet peut maintenant être n’importe où entre %3 et %4, où étaient aussi ses valeurs fausses&#xa0;: Bask ne peut pas savoir si celle-ci est juste. Vérifiez que le capteur est sur son objet, puis confirmez-le.</translation>
+    </message>
+    <message>
+        <source>The temperature of &quot;%1&quot; does not follow its heat: in %3 s it changed by %4 where %2, or more in that direction, was due. Its sensor may be off or on another object, the object may be gone, or the source may be elsewhere than expected. Bask switches the heat off. Check these, then reset.</source>
+        <translation>La température de « %1 » ne suit pas sa chaleur : en %3 s elle a changé de %4 là où %2, ou plus dans ce sens, était attendu. Son capteur est peut-être décollé ou sur un autre objet, l’objet est peut-être parti, ou la source est ailleurs que prévu. Bask coupe le chauffage. Vérifiez tout cela, puis réinitialisez.</translation>
+    </message>
+    <message>
+        <source>The temperature of &quot;%1&quot; does not follow its heat: in %3 s it changed by %4 where %2, or more in that direction, was due, and &quot;%5&quot; deviates the other way. Their sensors may be swapped, or that of &quot;%1&quot; is off. Bask switches the heat off. Check both, then reset.</source>
+        <translation>La température de « %1 » ne suit pas sa chaleur : en %3 s elle a changé de %4 là où %2, ou plus dans ce sens, était attendu, et « %5 » s’écarte dans l’autre sens. Leurs capteurs sont peut-être échangés, ou celui de « %1 » est décollé. Bask coupe le chauffage. Vérifiez les deux, puis réinitialisez.</translation>
     </message>
 </context>
 <context>
@@ -11234,10 +11242,6 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <source>Apparent temperature: that of a black body which looks the same. The objects&apos; temperatures have reflections and emittance taken into account.</source>
         <translation>Température apparente&#xa0;: celle d’un corps noir de même aspect. Les températures des objets tiennent compte des réflexions et de l’émissivité.</translation>
     </message>
-    <message>
-        <source>Left out last: %1</source>
-        <translation>Laissée de côté en dernier : %1</translation>
-    </message>
 </context>
 <context>
     <name>bask::ThermalControls</name>
@@ -11515,6 +11519,10 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <numerusform>%n image laissée de côté</numerusform>
             <numerusform>%n images laissées de côté</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Left out last: %1</source>
+        <translation>Laissée de côté en dernier : %1</translation>
     </message>
 </context>
 <context>

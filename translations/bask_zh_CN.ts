@@ -142,7 +142,7 @@
         <translation>遮挡</translation>
     </message>
     <message>
-        <source>Share of the source's light that other objects, fixtures and shields take from each object.</source>
+        <source>Share of the source&apos;s light that other objects, fixtures and shields take from each object.</source>
         <translation>其他物体、夹具和遮板从各物体挡去的热源光的份额。</translation>
     </message>
     <message>
@@ -1200,16 +1200,8 @@
         <translation>热源位姿已恢复测量</translation>
     </message>
     <message>
-        <source>The robot does not answer: %1. Check its link, then reset.</source>
-        <translation>机器人无应答：%1。请检查其连接，然后复位。</translation>
-    </message>
-    <message>
         <source>The heat source does not answer: %1. Check its link, then reset.</source>
         <translation>热源无应答：%1。请检查其连接，然后复位。</translation>
-    </message>
-    <message>
-        <source>STOP was pressed: the robot stands still and the heat is off. Reset when it is safe.</source>
-        <translation>已按下“软件停止”：机器人静止，加热已关闭。确认安全后再复位。</translation>
     </message>
     <message>
         <source>The recording failed: %1. Free disk space or choose another folder, then reset.</source>
@@ -2060,14 +2052,6 @@
         <translation>命令未被接受（模拟）</translation>
     </message>
     <message>
-        <source>The temperature of &quot;%1&quot; does not follow its heat: in %3 s it changed by %4 where at least %2 was due. Its sensor may be off or on another object, the object may be gone, or the source may be elsewhere than expected. Bask switches the heat off. Check these, then reset.</source>
-        <translation>“%1”的温度未随其受热变化：%3 s 内变化了 %4，而至少应为 %2。其传感器可能脱落或在另一物体上，物体可能已不在，或热源不在预期位置。Bask 将关闭加热。请检查这些，然后复位。</translation>
-    </message>
-    <message>
-        <source>The temperature of &quot;%1&quot; does not follow its heat: in %3 s it changed by %4 where at least %2 was due, and &quot;%5&quot; deviates the other way. Their sensors may be swapped, or that of &quot;%1&quot; is off. Bask switches the heat off. Check both, then reset.</source>
-        <translation>“%1”的温度未随其受热变化：%3 s 内变化了 %4，而至少应为 %2，且“%5”向相反方向偏离。两者的传感器可能互换了，或“%1”的传感器脱落。Bask 将关闭加热。请检查两者，然后复位。</translation>
-    </message>
-    <message>
         <source>The sensors of &quot;%1&quot; and &quot;%2&quot; seem to be swapped: what they read in the last %3 s agrees with the heat of the other object, not with that of their own. The heat is off. Check both, confirm them, then reset.</source>
         <translation>“%1”和“%2”的传感器似乎互换了：它们最近 %3 s 的读数与另一物体的受热一致，而与自己物体的不一致。加热已关闭。请检查两者，确认它们，然后复位。</translation>
     </message>
@@ -2178,6 +2162,30 @@
     <message>
         <source>&quot;%1&quot; is at %2 and warms by %3/s with the heat off; the source explains at most %4/s. Something else heats it, or its sensor has just been put on it. Look at it before it reaches its limits.</source>
         <translation>“%1”为 %2，在加热关闭时以 %3/s 升温；热源最多能解释 %4/s。有别的东西在加热它，或其传感器刚刚装上。请在它达到限值之前查看。</translation>
+    </message>
+    <message>
+        <source>The robot does not answer: %1. What it holds stays where it is, perhaps before a hot source. Check its link, then reset and retreat.</source>
+        <translation>机器人无应答：%1。其所持物体停在原处，可能在高温热源前。请检查其连接，然后复位并撤离。</translation>
+    </message>
+    <message>
+        <source>STOP was pressed: the robot stands still and the heat is off. What it holds stays where it is, perhaps before a hot source. Reset when it is safe, and retreat.</source>
+        <translation>已按下“软件停止”：机器人静止，加热已关闭。其所持物体停在原处，可能在高温热源前。确认安全后再复位，并撤离。</translation>
+    </message>
+    <message>
+        <source>simulated fault removed: %1</source>
+        <translation>模拟故障已移除：%1</translation>
+    </message>
+    <message>
+        <source>The sensor of &quot;%1&quot; reads %2. By now the object may be anywhere from %3 to %4, where its wrong readings were too, so Bask cannot tell whether this one is right. Check that the sensor is on its object, then confirm it.</source>
+        <translation>“%1”的传感器读数为 %2。此时物体可能在 %3 至 %4 之间的任何温度，其错误读数也在此范围内，因此 Bask 无法判断这个读数是否正确。请检查传感器是否在物体上，然后确认。</translation>
+    </message>
+    <message>
+        <source>The temperature of &quot;%1&quot; does not follow its heat: in %3 s it changed by %4 where %2, or more in that direction, was due. Its sensor may be off or on another object, the object may be gone, or the source may be elsewhere than expected. Bask switches the heat off. Check these, then reset.</source>
+        <translation>“%1”的温度未随其受热变化：%3 s 内变化了 %4，而应为 %2，或沿该方向更多。其传感器可能脱落或在另一物体上，物体可能已不在，或热源不在预期位置。Bask 将关闭加热。请检查这些，然后复位。</translation>
+    </message>
+    <message>
+        <source>The temperature of &quot;%1&quot; does not follow its heat: in %3 s it changed by %4 where %2, or more in that direction, was due, and &quot;%5&quot; deviates the other way. Their sensors may be swapped, or that of &quot;%1&quot; is off. Bask switches the heat off. Check both, then reset.</source>
+        <translation>“%1”的温度未随其受热变化：%3 s 内变化了 %4，而应为 %2，或沿该方向更多，且“%5”向相反方向偏离。两者的传感器可能互换了，或“%1”的传感器脱落。Bask 将关闭加热。请检查两者，然后复位。</translation>
     </message>
 </context>
 <context>
@@ -11208,10 +11216,6 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <source>Apparent temperature: that of a black body which looks the same. The objects&apos; temperatures have reflections and emittance taken into account.</source>
         <translation>表观温度：看起来相同的黑体的温度。物体的温度已计入反射和发射率。</translation>
     </message>
-    <message>
-        <source>Left out last: %1</source>
-        <translation>最近略过的：%1</translation>
-    </message>
 </context>
 <context>
     <name>bask::ThermalControls</name>
@@ -11487,6 +11491,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <translation>
             <numerusform>略过 %n 幅图像</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Left out last: %1</source>
+        <translation>最近略过的：%1</translation>
     </message>
 </context>
 <context>

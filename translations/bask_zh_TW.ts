@@ -142,7 +142,7 @@
         <translation>遮擋</translation>
     </message>
     <message>
-        <source>Share of the source's light that other objects, fixtures and shields take from each object.</source>
+        <source>Share of the source&apos;s light that other objects, fixtures and shields take from each object.</source>
         <translation>其他物體、夾具和遮板從各物體擋去的熱源光的份額。</translation>
     </message>
     <message>
@@ -1200,16 +1200,8 @@
         <translation>熱源位姿已恢復測量</translation>
     </message>
     <message>
-        <source>The robot does not answer: %1. Check its link, then reset.</source>
-        <translation>機器人無回應：%1。請檢查其連線，然後復歸。</translation>
-    </message>
-    <message>
         <source>The heat source does not answer: %1. Check its link, then reset.</source>
         <translation>熱源無回應：%1。請檢查其連線，然後復歸。</translation>
-    </message>
-    <message>
-        <source>STOP was pressed: the robot stands still and the heat is off. Reset when it is safe.</source>
-        <translation>已按下「軟體停止」：機器人靜止，加熱已關閉。確認安全後再復歸。</translation>
     </message>
     <message>
         <source>The recording failed: %1. Free disk space or choose another folder, then reset.</source>
@@ -2060,14 +2052,6 @@
         <translation>命令未被接受（模擬）</translation>
     </message>
     <message>
-        <source>The temperature of &quot;%1&quot; does not follow its heat: in %3 s it changed by %4 where at least %2 was due. Its sensor may be off or on another object, the object may be gone, or the source may be elsewhere than expected. Bask switches the heat off. Check these, then reset.</source>
-        <translation>「%1」的溫度未隨其受熱變化：%3 s 內變化了 %4，而至少應為 %2。其感測器可能脫落或在另一物體上，物體可能已不在，或熱源不在預期位置。Bask 將關閉加熱。請檢查這些，然後復歸。</translation>
-    </message>
-    <message>
-        <source>The temperature of &quot;%1&quot; does not follow its heat: in %3 s it changed by %4 where at least %2 was due, and &quot;%5&quot; deviates the other way. Their sensors may be swapped, or that of &quot;%1&quot; is off. Bask switches the heat off. Check both, then reset.</source>
-        <translation>「%1」的溫度未隨其受熱變化：%3 s 內變化了 %4，而至少應為 %2，且「%5」向相反方向偏離。兩者的感測器可能互換了，或「%1」的感測器脫落。Bask 將關閉加熱。請檢查兩者，然後復歸。</translation>
-    </message>
-    <message>
         <source>The sensors of &quot;%1&quot; and &quot;%2&quot; seem to be swapped: what they read in the last %3 s agrees with the heat of the other object, not with that of their own. The heat is off. Check both, confirm them, then reset.</source>
         <translation>「%1」和「%2」的感測器似乎互換了：它們最近 %3 s 的讀數與另一物體的受熱一致，而與自己物體的不一致。加熱已關閉。請檢查兩者，確認它們，然後復歸。</translation>
     </message>
@@ -2178,6 +2162,30 @@
     <message>
         <source>&quot;%1&quot; is at %2 and warms by %3/s with the heat off; the source explains at most %4/s. Something else heats it, or its sensor has just been put on it. Look at it before it reaches its limits.</source>
         <translation>「%1」為 %2，在加熱關閉時以 %3/s 升溫；熱源最多能解釋 %4/s。有別的東西在加熱它，或其感測器剛剛裝上。請在它達到限值之前查看。</translation>
+    </message>
+    <message>
+        <source>The robot does not answer: %1. What it holds stays where it is, perhaps before a hot source. Check its link, then reset and retreat.</source>
+        <translation>機器人無回應：%1。其所持物體停在原處，可能在高溫熱源前。請檢查其連線，然後復歸並撤離。</translation>
+    </message>
+    <message>
+        <source>STOP was pressed: the robot stands still and the heat is off. What it holds stays where it is, perhaps before a hot source. Reset when it is safe, and retreat.</source>
+        <translation>已按下「軟體停止」：機器人靜止，加熱已關閉。其所持物體停在原處，可能在高溫熱源前。確認安全後再復歸，並撤離。</translation>
+    </message>
+    <message>
+        <source>simulated fault removed: %1</source>
+        <translation>模擬故障已移除：%1</translation>
+    </message>
+    <message>
+        <source>The sensor of &quot;%1&quot; reads %2. By now the object may be anywhere from %3 to %4, where its wrong readings were too, so Bask cannot tell whether this one is right. Check that the sensor is on its object, then confirm it.</source>
+        <translation>「%1」的感測器讀數為 %2。此時物體可能在 %3 至 %4 之間的任何溫度，其錯誤讀數也在此範圍內，因此 Bask 無法判斷這個讀數是否正確。請檢查感測器是否在物體上，然後確認。</translation>
+    </message>
+    <message>
+        <source>The temperature of &quot;%1&quot; does not follow its heat: in %3 s it changed by %4 where %2, or more in that direction, was due. Its sensor may be off or on another object, the object may be gone, or the source may be elsewhere than expected. Bask switches the heat off. Check these, then reset.</source>
+        <translation>「%1」的溫度未隨其受熱變化：%3 s 內變化了 %4，而應為 %2，或沿該方向更多。其感測器可能脫落或在另一物體上，物體可能已不在，或熱源不在預期位置。Bask 將關閉加熱。請檢查這些，然後復歸。</translation>
+    </message>
+    <message>
+        <source>The temperature of &quot;%1&quot; does not follow its heat: in %3 s it changed by %4 where %2, or more in that direction, was due, and &quot;%5&quot; deviates the other way. Their sensors may be swapped, or that of &quot;%1&quot; is off. Bask switches the heat off. Check both, then reset.</source>
+        <translation>「%1」的溫度未隨其受熱變化：%3 s 內變化了 %4，而應為 %2，或沿該方向更多，且「%5」向相反方向偏離。兩者的感測器可能互換了，或「%1」的感測器脫落。Bask 將關閉加熱。請檢查兩者，然後復歸。</translation>
     </message>
 </context>
 <context>
@@ -11208,10 +11216,6 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <source>Apparent temperature: that of a black body which looks the same. The objects&apos; temperatures have reflections and emittance taken into account.</source>
         <translation>表觀溫度：看起來相同的黑體的溫度。物體的溫度已計入反射和發射率。</translation>
     </message>
-    <message>
-        <source>Left out last: %1</source>
-        <translation>最近略過的：%1</translation>
-    </message>
 </context>
 <context>
     <name>bask::ThermalControls</name>
@@ -11487,6 +11491,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <translation>
             <numerusform>略過 %n 幅影像</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Left out last: %1</source>
+        <translation>最近略過的：%1</translation>
     </message>
 </context>
 <context>

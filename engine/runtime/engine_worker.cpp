@@ -603,13 +603,20 @@ Result<void> EngineWorker::setLabels(const RunLabels& labels) {
 Result<void> EngineWorker::applyFault(const SimulateFault& fault) {
     if (!m_session->simulated)
         return Error(MessageCode::FaultOnRealRig, {});
+    SimulatedRig& rig = *m_session->simulated;
     m_session->loop.reportFaultAsked(fault.fault, fault.object, fault.isOn);
-    if (!fault.isOn)
-        return endFault(*m_session->simulated, fault.fault, fault.object), Result<void>();
-    clearFaults(*m_session->simulated);
-    setFault(*m_session->simulated, fault.fault, fault.object, true);
-    if (fault.fault != SimulatedFault::None)
-        m_session->loop.reportFault(fault.fault, fault.object);
+    const auto before = activeFaults(rig);
+    if (fault.isOn)
+        clearFaults(rig);
+    else
+        endFault(rig, fault.fault, fault.object);
+    for (const ActiveFault& ended : before)
+        if (!std::ranges::count(activeFaults(rig), ended))
+            m_session->loop.reportFaultEnded(ended.fault);
+    if (!fault.isOn || fault.fault == SimulatedFault::None)
+        return {};
+    setFault(rig, fault.fault, fault.object, true);
+    m_session->loop.reportFault(fault.fault, fault.object);
     return {};
 }
 

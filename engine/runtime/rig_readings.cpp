@@ -248,7 +248,8 @@ Message RigReadings::distrust(std::size_t object) const {
     if (!m_sensors.isDistrusted(object))
         return {MessageCode::ReasonSensorDoubted, {name, told}};
     const HeatBounds* const bounds = m_sensors.bounds(object);
-    return {MessageCode::ReasonSensorDistrusted,
+    const bool isPossible = bounds->contain(m_sensors.told_K(object, m_clock.now_s()), 0.0);
+    return {isPossible ? MessageCode::ReasonSensorUndecided : MessageCode::ReasonSensorDistrusted,
             {name, told, roundedTemperatureArg(bounds->min_K()), roundedTemperatureArg(bounds->max_K())}};
 }
 

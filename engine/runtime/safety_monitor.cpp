@@ -35,7 +35,8 @@ constexpr double kDeviating_K = 1.0;    ///< readings of two objects that deviat
 constexpr double kExplained_K = 0.2;    ///< and would not if they were exchanged
 constexpr double kPair_s = 36.0;        ///< by what has changed in this time
 constexpr double kSeemSwapped_s = 10.0; ///< for so long: it may be of a moment
-constexpr double kStayed = 0.1;         ///< a smaller share of the expected change is none
+constexpr double kUnusable_s = 60.0; ///< for so long a face is told to be unusable, which pose by pose it is
+constexpr double kStayed = 0.1;      ///< a smaller share of the expected change is none
 
 /// All problems of one sensor share one alarm, named after the first problem.
 bool isSame(Condition a, std::size_t ofA, Condition b, std::size_t ofB) {
@@ -330,8 +331,13 @@ void SafetyMonitor::atRest(const SafetyObservation& seen) {
 
 void SafetyMonitor::addOpinion(std::size_t i, const SafetyObservation& seen) {
     if (const Message& why = seen.objects[i].unchecked;
-        why.code != MessageCode::None && seen.cameraProblem.code == MessageCode::None && seen.asked_K)
+        why.code != MessageCode::None && seen.cameraProblem.code == MessageCode::None && seen.asked_K) {
+        if (why.code == MessageCode::ThermalFaceUnusable)
+            m_objects[i].unusable_s = seen.now_s;
         add(Condition::CameraCannotCheck, {MessageCode::SafetyCameraCannotCheck, {name(i), why}}, i);
+    } else if (seen.asked_K && seen.now_s < m_objects[i].unusable_s + kUnusable_s) {
+        keepActive(Condition::CameraCannotCheck, i); // or it would come and go with the pose
+    }
     const auto& found = m_opinion.finding(i);
     if (!found)
         return;
@@ -677,6 +683,15 @@ const SafetyFinding* SafetyMonitor::forbidsReset() const {
     const bool isGrave =
         !m_active.empty() && alarmEntry(m_active.front().condition).reaction >= SafetyReaction::Stop;
     return isGrave ? &m_active.front() : nullptr;
+}
+
+const SafetyFinding* SafetyMonitor::forbidsArm() const {
+    const auto found = std::ranges::find_if(m_active, [](const SafetyFinding& finding) {
+        return finding.condition == Condition::ObjectHot || finding.condition == Condition::ObjectWarm ||
+               finding.condition == Condition::HeatedOtherwise ||
+               finding.condition == Condition::HeatedAtRest;
+    });
+    return found != m_active.end() ? &*found : nullptr;
 }
 
 const SafetyFinding* SafetyMonitor::forbidsResume() const {

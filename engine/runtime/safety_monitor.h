@@ -104,6 +104,9 @@ public:
     /// Returns the most serious condition that forbids a reset; null if there is none.
     const SafetyFinding* forbidsReset() const;
 
+    /// Returns the most serious condition of an object that is too warm, or that something else heats; null
+    /// if there is none. No run is armed then.
+    const SafetyFinding* forbidsArm() const;
     /// Returns the most serious condition that forbids a run to begin or continue; null if there is none.
     const SafetyFinding* forbidsResume() const;
     struct Delayed {
@@ -166,7 +169,9 @@ private:
         double frozenSince_s = 0.0;
         QuietWatch quiet{};
         TargetWatch target{};
-        double target_K = 0.0;                         ///< that is watched
+        double target_K = 0.0; ///< that is watched
+        double unusable_s =
+            -std::numeric_limits<double>::infinity();  ///< its face was, for the camera, at last
         std::optional<std::size_t> swappedWith{};      ///< as its jump tells
         std::optional<std::size_t> seemsSwappedWith{}; ///< as the heat of both tells, or the camera
     };

@@ -131,6 +131,10 @@ void ServoLoop::reportFault(SimulatedFault simulated, std::size_t object) {
         event(MessageCode::EventFault, {name});
 }
 
+void ServoLoop::reportFaultEnded(SimulatedFault simulated) {
+    event(MessageCode::EventFaultEnded, {simulatedFaultName(simulated)});
+}
+
 void ServoLoop::reportFaultAsked(SimulatedFault simulated, std::size_t object, bool isOn) {
     if (!isRecorded())
         return;
@@ -160,6 +164,8 @@ Result<void> ServoLoop::mayArm() const {
         return m_mounting;
     if (const auto fit = checkTargets(m_experiment); !fit)
         return fit;
+    if (const SafetyFinding* finding = m_safety.forbidsArm())
+        return Error(finding->message.code, {}, finding->message.args);
     if (m_state != RunState::Ready && m_state != RunState::Stopped)
         return refusal(CommandVerb::Arm);
     if (m_motion.isHoming())
@@ -528,6 +534,8 @@ std::vector<Message> ServoLoop::reasons() const {
     for (const auto& fit : {m_mounting, checkTargets(m_experiment), m_motion.checkReach()})
         if (!fit)
             out.push_back(fit.error().message);
+    if (const SafetyFinding* finding = m_safety.forbidsArm(); finding != nullptr && !isArmedOrOn())
+        out.push_back(finding->message);
     if (m_state == RunState::Holding && !m_pausedBySafety && out.empty())
         out.push_back({MessageCode::ReasonHeldByOperator, {}});
     if (Message aim = m_control.compromise();
@@ -551,7 +559,7 @@ void ServoLoop::updateReadiness() {
         return;
     const bool isReady = m_readings.sensors().full() && m_readings.missing().empty() &&
                          requireFreshReadings() && m_mounting && checkTargets(m_experiment) &&
-                         m_motion.checkReach();
+                         m_motion.checkReach() && m_safety.forbidsArm() == nullptr;
     m_state = isReady ? RunState::Ready : RunState::NotReady;
 }
 

@@ -115,6 +115,7 @@ public:
     void reportShelved(const Alarm& alarm, double for_s); ///< 0: the shelving has ended
     /// Adds an event about a simulated fault.
     void reportFault(SimulatedFault simulated, std::size_t object);
+    void reportFaultEnded(SimulatedFault simulated);
     /// Record what a person has asked of others, with the operator, while a run is recorded.
     void reportFaultAsked(SimulatedFault simulated, std::size_t object, bool isOn);
     void reportSpeedAsked(double factor);

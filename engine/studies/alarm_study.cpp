@@ -21,8 +21,9 @@
 namespace bask {
 namespace {
 
-constexpr double kAfterFault_s = 900.0;  // from a fault to the end of its run
-constexpr double kTellingOf_K = 1.0;     // a limit is truly met within this, of noise and offset
+constexpr double kAfterFault_s = 900.0; // from a fault to the end of its run
+constexpr double kTellingOf_K = 1.0;    // a limit is truly met within this, of noise and offset
+constexpr double kBareEmittance = 0.5;
 constexpr std::size_t kTellingOf_px = 3; // an object is truly too small within this, of where the robot was
 constexpr double kWindow_s = 600.0;
 constexpr double kStudyTolerance = 1e-6; // of the plant's view factors
@@ -270,6 +271,8 @@ private:
                    static_cast<std::size_t>(rigPixels().minPixels) + kTellingOf_px;
         case MessageCode::ThermalNotZeroed:
             return !m_wasReadCold[object];
+        case MessageCode::ThermalFaceUnusable: // what is painted can be read, bare metal cannot
+            return trueMaterial(m_experiment.objects[object]).emittance < kBareEmittance;
         default:
             return false;
         }

@@ -637,10 +637,17 @@ TEST(EngineWorker, SimulatedFaultsReachTheOperatorAndResetClearsThem) {
     ASSERT_FALSE(rig.last.reasons.empty());
     EXPECT_FALSE(rig.last.heatOn);
     EXPECT_EQ(rig.last.heat, HeatState::Unknown) << "a lost source is not off";
+    const auto isRemoved = [&] {
+        return std::ranges::any_of(rig.events, [](const TraceEvent& event) {
+            return event.message == Message{MessageCode::EventFaultEnded, {"source-lost"}};
+        });
+    };
+    EXPECT_FALSE(isRemoved());
     rig.send(SimulateFault{SimulatedFault::None});
     rig.send(Reset{});
     EXPECT_TRUE(rig.reaches(RunState::Ready));
     EXPECT_EQ(rig.last.heat, HeatState::Off);
+    EXPECT_TRUE(isRemoved());
 }
 
 // Catches a cold source that is not told before Start, or told with a time while it cannot be known.

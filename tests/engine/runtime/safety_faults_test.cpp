@@ -241,8 +241,9 @@ TEST(Safety, AnObjectThatWarmsWithTheHeatOffIsToldBeforeItsLimits) {
         const double told_K = rig.loop.latest().objects[1].measured_K;
         EXPECT_GT(told_K, kByHand_K);
         EXPECT_LT(told_K, rig.experiment.safety.warning_K - 25.0);
-        EXPECT_EQ(rig.loop.state(), before) << "told, no more";
-        EXPECT_FALSE(rig.reasonGiven(MessageCode::SafetyHeatedAtRest));
+        EXPECT_EQ(rig.loop.state(), isArmed ? before : RunState::NotReady) << "told, and nothing is armed";
+        EXPECT_EQ(rig.reasonGiven(MessageCode::SafetyHeatedAtRest), !isArmed);
+        EXPECT_FALSE(rig.loop.arm());
         ASSERT_LE(rig.until([&] { return rig.loop.state() == RunState::Stopping; }, 60.0), 60.0);
         EXPECT_NEAR(rig.loop.latest().objects[1].measured_K, rig.experiment.safety.trip_K, 1.0);
         for (const AlarmCondition& condition : rig.loop.alarmConditions())
@@ -253,6 +254,27 @@ TEST(Safety, AnObjectThatWarmsWithTheHeatOffIsToldBeforeItsLimits) {
         EXPECT_LE(rig.until([&] { return !rig.isAlarm(MessageCode::SafetyHeatedAtRest); }, 90.0), 60.0);
         EXPECT_FALSE(rig.isAlarm(MessageCode::SafetyHeatedOtherwise));
     }
+}
+
+// Catches a run that is armed with an object above its warning limit, where it could not begin.
+TEST(Safety, NothingIsArmedAboveTheWarningLimit) {
+    Rig rig;
+    rig.periods(40);
+    ASSERT_TRUE(rig.loop.arm() && rig.loop.disarm()); // zeroed while cold
+    ASSERT_EQ(rig.loop.state(), RunState::Ready);
+    setFault(rig.rig, SimulatedFault::ObjectHot, 1, true);
+    ASSERT_LE(rig.until([&] { return rig.isAlarm(MessageCode::SafetyObjectWarm); }, 90.0), 90.0);
+    setFault(rig.rig, SimulatedFault::ObjectHot, 1, false);
+    rig.periods(2);
+    ASSERT_TRUE(rig.isAlarm(MessageCode::SafetyObjectWarm));
+    EXPECT_EQ(rig.loop.state(), RunState::NotReady);
+    const auto armed = rig.loop.arm();
+    ASSERT_FALSE(armed);
+    EXPECT_EQ(armed.error().code(), MessageCode::SafetyObjectWarm);
+    EXPECT_TRUE(rig.reasonGiven(MessageCode::SafetyObjectWarm));
+    ASSERT_LE(rig.until([&] { return !rig.isAlarm(MessageCode::SafetyObjectWarm); }, 300.0), 300.0);
+    EXPECT_LE(rig.until([&] { return rig.loop.state() == RunState::Ready; }, 300.0), 300.0);
+    EXPECT_TRUE(rig.loop.arm());
 }
 
 // Catches an object that gets too hot while nobody runs anything, also in a move and with the run armed.
@@ -377,6 +399,24 @@ TEST(Safety, ASensorThatCameOffIsDistrustedUntilItAgrees) {
     EXPECT_LE(rig.until([&] { return !rig.isAlarm(MessageCode::SafetySensorJump); }, 1.0), 1.0);
     EXPECT_EQ(rig.loop.sensorTrust(0), SensorTrust::Trusted);
     EXPECT_TRUE(rig.loop.resume());
+}
+
+// Catches a range that is told as the reason although the reading is in it.
+TEST(Safety, ASensorThatMayBeRightByNowIsNotToldToBeImpossible) {
+    Rig rig;
+    rig.run(1.0);
+    ASSERT_LE(rig.until([&] { return rig.loop.latest().objects[0].true_K > kelvinFromCelsius(36.0); }, 300.0),
+              300.0);
+    setFault(rig.rig, SimulatedFault::SensorOff, 0, true);
+    ASSERT_LE(rig.until([&] { return rig.loop.sensorTrust(0) == SensorTrust::Distrusted; }, 10.0), 10.0);
+    EXPECT_EQ(rig.loop.readings().distrust(0).code, MessageCode::ReasonSensorDistrusted);
+    const auto isInRange = [&] {
+        const SensorChannels& sensors = rig.loop.readings().sensors();
+        return sensors.bounds(0)->contain(sensors.told_K(0, rig.rig.clock().now_s()), 0.0);
+    };
+    ASSERT_LE(rig.until(isInRange, 1800.0), 1800.0);
+    ASSERT_EQ(rig.loop.sensorTrust(0), SensorTrust::Distrusted);
+    EXPECT_EQ(rig.loop.readings().distrust(0).code, MessageCode::ReasonSensorUndecided);
 }
 
 // Catches a sensor that came off, went to the room's temperature by itself, so that no reading was a jump,

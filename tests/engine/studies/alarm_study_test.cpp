@@ -195,6 +195,22 @@ TEST(AlarmStudy, SwappedSensorsAreFoundWithACamera) {
     EXPECT_LE(*row.acted_s - row.shown_s.value_or(0.0), 30.0);
 }
 
+// Catches bare metal that is told to be unusable again and again, and a true word that is counted as false.
+TEST(AlarmStudy, BareMetalIsToldOnceInAWhileWithACamera) {
+    constexpr int kBareRun = 162;
+    const AlarmStudy study{rigs({"three-objects.json", "three-objects-in-line.json"}),
+                           AlarmDraw::Healthy,
+                           1,
+                           1,
+                           kBareRun,
+                           ReadBy::Both};
+    const auto rows = runAlarmStudy(study, 1, {});
+    ASSERT_TRUE(rows) << describe(rows.error());
+    EXPECT_GE(rows->front().alarms.size(), 1U);
+    EXPECT_LE(rows->front().alarms.size(), 6U); // 13 in half an hour before
+    EXPECT_EQ(summarize(*rows).falseWords, 0);
+}
+
 // Catches a camera that repeats, as long as a sensor jumps, that it differs from it.
 TEST(AlarmStudy, AJumpingSensorIsNoFloodOfAlarmsWithACamera) {
     const auto rows = runAlarmStudy({rigs({"three-objects.json", "three-objects-in-line.json"}),
