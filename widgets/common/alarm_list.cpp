@@ -208,9 +208,13 @@ bool AlarmList::chooseGravest() {
     const std::optional<std::uint64_t> before = m_chosen;
     const Alarm* const kept = chosen();
     const AlarmGroup* const top = gravest(m_groups);
-    const bool isUnfolded = m_isChosenByPerson && m_chosen && unfoldOver(*m_chosen);
-    const bool isGraver = kept != nullptr && !m_isChosenByPerson && top != nullptr && top->alarm.isActive &&
-                          top->alarm.priority < kept->priority;
+    // What a person has selected and is over, seen or shelved hides no graver one that nobody has seen.
+    const bool isDealtWith =
+        kept != nullptr && (!kept->isActive || kept->isAcknowledged || kept->shelvedUntil_s > 0.0);
+    const bool isGraver = kept != nullptr && top != nullptr && top->alarm.isActive &&
+                          top->alarm.priority < kept->priority &&
+                          (!m_isChosenByPerson || (isDealtWith && !top->alarm.isAcknowledged));
+    const bool isUnfolded = m_isChosenByPerson && m_chosen && !isGraver && unfoldOver(*m_chosen);
     const bool isReplaced = isGraver || (kept != nullptr && isFolded(kept->id));
     if (kept != nullptr && !isReplaced &&
         (m_isChosenByPerson || !kept->isAcknowledged || before == m_acknowledged))

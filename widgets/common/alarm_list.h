@@ -42,8 +42,8 @@ public:
     /// acknowledgement and that no person has selected, the gravest is. When an alarm disappears that a
     /// person has selected or acknowledged, none is until the alarms change again. A graver one that comes
     /// takes the place of one that no person has selected, as the gravest does when that one is folded under
-    /// a cause; for a second nothing is acknowledged then. A cause is unfolded over one that a person
-    /// selected.
+    /// a cause, or of one that a person has selected and that is over, acknowledged or shelved; for a
+    /// second nothing is acknowledged then. A cause is unfolded over one that a person selected.
     void setAlarms(const std::vector<Alarm>& alarms);
     /// What homes the robot; shown with an alarm that its place is not sure.
     void setHomeAction(QAction* home);

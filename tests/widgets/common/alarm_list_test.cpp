@@ -206,6 +206,27 @@ TEST_F(AlarmListTest, WhatIsSelectedStaysUntilItNeedsNothing) {
     EXPECT_EQ(chosenRow(), -1);
 }
 
+// Catches a priority 1 that nobody reads, since a person once selected another that is over by now.
+TEST_F(AlarmListTest, WhatIsDealtWithHidesNoGraverOne) {
+    for (const int dealtWith : {0, 1, 2}) {
+        Alarm slight = hot(1, "hand"), grave = hot(2, "foot");
+        slight.priority = 2;
+        list.setAlarms({slight});
+        list.choose(slight.id); // as a person does
+        list.setAlarms({grave, slight});
+        EXPECT_TRUE(guidance().contains(QStringLiteral("hand"))) << "active, not seen: it stays";
+        list.setAlarms({slight});
+        slight.isActive = dealtWith != 0;
+        slight.isAcknowledged = dealtWith == 1;
+        slight.shelvedUntil_s = dealtWith == 2 ? 2.0e9 : 0.0;
+        list.setAlarms({slight});
+        EXPECT_TRUE(guidance().contains(QStringLiteral("hand")));
+        list.setAlarms({grave, slight});
+        EXPECT_TRUE(guidance().contains(QStringLiteral("foot"))) << dealtWith;
+        list.setAlarms({});
+    }
+}
+
 // Catches: Space that acknowledges all alarms, since the button that had the keyboard cannot be pressed any
 // more, and one that nobody can have read.
 TEST_F(AlarmListTest, SpaceNeverAcknowledgesMoreThanTheOneThatWasRead) {
