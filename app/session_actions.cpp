@@ -415,6 +415,10 @@ void SessionActions::exportSession(SessionForm form) {
                   {},
                   {},
                   FileFolder::Exports});
+        // Their names are the same for every run: those of another one must not take their place.
+        if (const QString run = QFileInfo(from).completeBaseName();
+            !to.isEmpty() && QFileInfo(to).fileName() != run)
+            to = QDir(to).filePath(run);
     }
     if (!to.isEmpty())
         m_export.start(form, from, to, m_settings.temperatureUnit(), m_settings.language(), *layout);

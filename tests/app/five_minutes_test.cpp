@@ -186,7 +186,11 @@ TEST_F(FiveMinutesTest, AsTheyAreTold) {
     const QTemporaryDir folder;
     window->files().setFileChooser([&](const FileQuestion&) { return folder.path(); });
     emit window->pages().review()->exportRequested(SessionForm::Csv);
-    EXPECT_TRUE(waitFor([&] { return QFileInfo::exists(folder.filePath(QStringLiteral("pose.csv"))); }));
+    EXPECT_TRUE(waitFor([&] { // in a folder of the run's name
+        const QStringList runs = QDir(folder.path()).entryList(QDir::Dirs | QDir::NoDotAndDotDot);
+        return runs.size() == 1 &&
+               QFileInfo::exists(folder.filePath(runs.first() + QStringLiteral("/pose.csv")));
+    }));
     step(Step::Thermal, [this] {
         window->files().openExample(QStringLiteral("thermal-camera"), false);
         auto* tabs = find<QTabWidget>("plotTabs");

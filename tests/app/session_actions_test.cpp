@@ -333,21 +333,24 @@ TEST_F(SessionActionsTest, TheOpenSessionIsExportedInEveryForm) {
         files.exportSession(form);
     ASSERT_TRUE(waitFor([&] { return told.size() == 6 || !problems.isEmpty(); }));
     EXPECT_TRUE(problems.isEmpty()) << problems.join('\n').toStdString();
-    for (const char* name : {"traces.csv", "my \"run\" <b>.nxs", "outlines.pvd", "errors.svg",
-                             "my \"run\" <b>.pdf", "my \"run\" <b>.html"})
+    const QString own =
+        folder.filePath(QStringLiteral("my \"run\" <b>")); // other runs' files have the same names
+    for (const char* name : {"traces.csv", "outlines.pvd", "errors.svg"})
+        EXPECT_TRUE(QFile::exists(own + u'/' + QLatin1String(name))) << name;
+    for (const char* name : {"my \"run\" <b>.nxs", "my \"run\" <b>.pdf", "my \"run\" <b>.html"})
         EXPECT_TRUE(QFile::exists(folder.filePath(QString::fromUtf8(name)))) << name;
     EXPECT_TRUE(written.contains(folder.filePath(QStringLiteral("my \"run\" <b>.pdf"))));
     EXPECT_TRUE(told.contains(QStringLiteral("my \"run\" <b>.pdf written to %1").arg(folder.path())))
         << told.join('\n').toStdString();
-    EXPECT_TRUE(written.contains(folder.filePath(QStringLiteral("traces.csv"))));
+    EXPECT_TRUE(written.contains(own + QStringLiteral("/traces.csv")));
     for (const QString& file : written)
         EXPECT_TRUE(QFile::exists(file)) << file.toStdString();
 
-    folderOfAnswers = folder.filePath(QStringLiteral("all"));
+    folderOfAnswers = folder.filePath(QStringLiteral("all/my \"run\" <b>")); // the run's own: taken as it is
     files.exportSession(SessionForm::CsvAllDigits);
     ASSERT_TRUE(waitFor([&] { return told.size() == 7 || !problems.isEmpty(); }));
-    EXPECT_GT(QFileInfo(folder.filePath(QStringLiteral("all/traces.csv"))).size(),
-              QFileInfo(folder.filePath(QStringLiteral("traces.csv"))).size());
+    EXPECT_GT(QFileInfo(folderOfAnswers + QStringLiteral("/traces.csv")).size(),
+              QFileInfo(own + QStringLiteral("/traces.csv")).size());
 
     folderOfAnswers = QStringLiteral("/proc/no-such-place");
     for (const SessionForm form : kForms)
@@ -573,7 +576,8 @@ TEST_F(SessionActionsTest, AnExportIsUnfinishedUntilItIsTold) {
     files.setFileChooser([&](const FileQuestion&) { return answer; });
     EXPECT_TRUE(files.unfinishedExports().isEmpty());
     HeldPool pool;
-    QStringList places{first.path(), second.path(), folder.filePath(QStringLiteral("run.html")),
+    const QString run = QStringLiteral("/my \"run\" <b>");
+    QStringList places{first.path() + run, second.path() + run, folder.filePath(QStringLiteral("run.html")),
                        folder.filePath(QStringLiteral("again.html")),
                        folder.filePath(QStringLiteral("plot.csv"))};
     for (const QString& to : {places[0], places[1]}) {
@@ -596,7 +600,7 @@ TEST_F(SessionActionsTest, AnExportIsUnfinishedUntilItIsTold) {
     EXPECT_EQ(written, 5) << problems.join('\n').toStdString();
     EXPECT_TRUE(files.unfinishedExports().isEmpty());
     for (const QTemporaryDir* each : {&first, &second})
-        EXPECT_TRUE(QFile::exists(each->filePath(QStringLiteral("traces.csv"))));
+        EXPECT_TRUE(QFile::exists(each->path() + run + QStringLiteral("/traces.csv")));
     for (const char* report : {"run.html", "again.html"})
         EXPECT_TRUE(QFile::exists(folder.filePath(QLatin1String(report)))) << report;
 }
