@@ -37,8 +37,9 @@ QPixmap blankPixmap(QSize size, double devicePixelRatio) {
     return pixmap;
 }
 
-/// Fusion draws the frames of boxes darker than the window, which on a dark one nobody sees, and widens only
-/// short menu buttons: the words of a long one touch its arrow.
+/// Fusion draws the frames of boxes darker than the window, which on a dark one nobody sees, widens only
+/// short menu buttons: the words of a long one touch its arrow, and lays the list of a combo box over what is
+/// above it, which may be STOP.
 class FramedFusion : public QProxyStyle {
 public:
     FramedFusion() : QProxyStyle(QStringLiteral("Fusion")) {}
@@ -62,13 +63,22 @@ public:
         painter->restore();
     }
 
+    int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                  QStyleHintReturn* more) const override {
+        return hint == SH_ComboBox_Popup ? 0 : QProxyStyle::styleHint(hint, option, widget, more);
+    }
+
     QSize sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& contents,
                            const QWidget* widget) const override {
         const auto* button = qstyleoption_cast<const QStyleOptionButton*>(option);
         const bool hasMenu = type == CT_PushButton && button != nullptr &&
                              button->features.testFlag(QStyleOptionButton::HasMenu);
         const int room = hasMenu ? 2 * pixelMetric(PM_ButtonMargin, option, widget) : 0;
-        return QProxyStyle::sizeFromContents(type, option, contents + QSize(room, 0), widget);
+        const bool isChoice =
+            type == CT_ItemViewItem && widget != nullptr && widget->inherits("QComboBoxListView");
+        constexpr int kAsInAMenu = 8;
+        return QProxyStyle::sizeFromContents(type, option, contents + QSize(room, 0), widget) +
+               QSize(0, isChoice ? kAsInAMenu : 0);
     }
 };
 

@@ -133,7 +133,7 @@ QString ThermalPictureView::statusText() const {
     if (m_view.sinceShutter_s)
         words << tr("shutter %1 ago, drift \u00b1 %2")
                      .arg(formatDuration(*m_view.sinceShutter_s),
-                          formatDifference(m_view.drift_K, m_unit, 2));
+                          formatDifference(m_view.drift_K, m_unit, 2).mid(1));
     words << tr("age %1 s").arg(QLocale().toString(age_s(), 'f', age_s() < 1.0 ? 2 : 1));
     return words.join(kBetween);
 }
