@@ -75,7 +75,9 @@ double ReadingTrend::told_K_s() const {
     const Line line = fitted();
     const double noise_K_s =
         std::max(kStandardErrors * std::max(line.scatter_K, kMinScatter_K) / line.spread_s, kStep_K / span_s);
-    return std::abs(line.slope_K_s) > std::max(noise_K_s, kSteadyRate_K_s) ? line.slope_K_s : 0.0;
+    const bool isBeyond = std::abs(line.slope_K_s) > std::max(noise_K_s, kSteadyRate_K_s);
+    const bool isContradicted = line.slope_K_s * meanRate_K_s() < 0.0; // by the number beside the word
+    return isBeyond && !isContradicted ? line.slope_K_s : 0.0;
 }
 
 } // namespace bask

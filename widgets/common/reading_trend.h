@@ -20,7 +20,7 @@ public:
     double slope_K_s() const;    ///< of the readings; NaN with fewer than 3
     /// Returns the slope where it is beyond noise: 2.5 of its standard errors, by the scatter of the
     /// readings, at least that of readings rounded to 0.1 K, and more than one step of 0.1 K makes. 0:
-    /// neither heating nor cooling is told, nor by readings of less than 4 s.
+    /// neither heating nor cooling is told, nor by readings of less than 4 s, nor against meanRate_K_s().
     double told_K_s() const;
 
 private:

@@ -35,6 +35,18 @@ TEST(ReadingTrend, TellsWhatIsBeyondTheSteps) {
     EXPECT_NEAR(fed(0.3, 5).told_K_s(), 0.3, 0.03);
 }
 
+// Catches "Cooling" beside a rate of +4.8 K/min, as after a step of a sensor.
+TEST(ReadingTrend, TellsNothingAgainstTheRateBesideIt) {
+    ReadingTrend trend;
+    for (int k = 0; k < 10; ++k) {
+        trend.passTo(k);
+        trend.add(k, (k < 5 ? 312.0 : 309.0) + 0.1 * k, k == 5 ? -0.2 : 0.12);
+    }
+    ASSERT_LT(trend.slope_K_s(), -0.1);
+    ASSERT_GT(trend.meanRate_K_s(), 0.05);
+    EXPECT_EQ(trend.told_K_s(), 0.0);
+}
+
 // Catches: "Heating" of the first samples of an object at rest, by the estimate of one of them, or by a few
 // readings that step once by 0.1 K.
 TEST(ReadingTrend, TheFirstReadingsOfWhatIsAtRestTellNothing) {
