@@ -127,10 +127,10 @@ std::optional<int> runShard(const Subcommand& subcommand, int& argc, char** argv
 
 int runSubcommand(const Subcommand& subcommand, int& argc, char** argv,
                   std::unique_ptr<QCoreApplication> (*makeDrawing)(char** argv)) {
-    if (subcommand.run == nullptr) {
-        const auto done = runShard(subcommand, argc, argv);
-        return done ? finished(*done) : become("bask-draw", argv);
-    }
+    if (const auto done = runShard(subcommand, argc, argv))
+        return finished(*done);
+    if (subcommand.run == nullptr)
+        return become("bask-draw", argv);
     const auto application =
         subcommand.drawsFigures ? makeDrawing(argv) : std::make_unique<QCoreApplication>(argc, argv);
     settle();

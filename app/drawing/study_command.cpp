@@ -1,8 +1,7 @@
-// bask study: which study. A shard of one draws nothing, and is computed by `bask` itself.
+// bask study: which study. A shard of one, which draws nothing, is a command of its own (study_work.cpp).
 
 #include "app/commands/command_line.h"
 #include "app/drawing/studies.h"
-#include "app/studies/study_work.h"
 
 namespace bask {
 namespace {
@@ -22,7 +21,7 @@ int studyCommand(const QStringList& arguments) {
     if (const int* exitCode = std::get_if<int>(&asked))
         return *exitCode;
     const auto& request = std::get<StudyRequest>(asked);
-    return request.shard.shard ? runStudyShard(request) : run(request, {request.shard.threads, nullptr});
+    return run(request, {request.shard.threads, nullptr});
 }
 
 int mergeStudy(const MergedParts& parts, const nlohmann::json& work, const QString& folder) {

@@ -103,8 +103,7 @@ std::string buildId() {
 } // namespace
 
 std::string ownSoftware() {
-    static const std::string own = "Bask " + exactVersion().toStdString() + ", build " + buildId();
-    return own;
+    return "Bask " + exactVersion().toStdString() + ", build " + buildId();
 }
 
 void addShardOptions(QCommandLineParser& parser) {

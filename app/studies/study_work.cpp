@@ -117,14 +117,12 @@ std::optional<int> studyShardCommand(const QStringList& arguments) {
     const AskedStudy asked = readStudy(arguments);
     if (const int* exitCode = std::get_if<int>(&asked))
         return *exitCode;
-    const auto& request = std::get<StudyRequest>(asked);
-    return request.shard.shard ? std::optional(runStudyShard(request)) : std::nullopt;
-}
-
-int runStudyShard(const StudyRequest& request) {
-    if (const auto* closedLoop = std::get_if<ClosedLoopRequest>(&request.study))
-        return runShardOf(*closedLoop, request.folder, request.shard);
-    return runShardOf(std::get<AlarmRequest>(request.study), request.folder, request.shard);
+    const auto& [study, folder, shard] = std::get<StudyRequest>(asked);
+    if (!shard.shard)
+        return std::nullopt;
+    if (const auto* closedLoop = std::get_if<ClosedLoopRequest>(&study))
+        return runShardOf(*closedLoop, folder, shard);
+    return runShardOf(std::get<AlarmRequest>(study), folder, shard);
 }
 
 } // namespace bask

@@ -1,5 +1,5 @@
 #pragma once
-// The studies that can be divided: what is computed for a request, and one shard of it.
+// The studies that can be divided: what is computed for a request, and its files.
 
 #include "app/studies/study_output.h"
 #include "app/studies/study_request.h"
@@ -14,8 +14,5 @@ Result<AlarmStudy> studyOf(const AlarmRequest& request);
 
 StudyNames namesOf(const ClosedLoopRequest& request);
 StudyNames namesOf(const AlarmRequest& request);
-
-/// Makes the folder, computes what the part of request.shard lacks; returns an exit code.
-int runStudyShard(const StudyRequest& request);
 
 } // namespace bask

@@ -610,9 +610,10 @@ Result<void> EngineWorker::applyFault(const SimulateFault& fault) {
         clearFaults(rig);
     else
         endFault(rig, fault.fault, fault.object);
-    for (const ActiveFault& ended : before)
-        if (!std::ranges::count(activeFaults(rig), ended))
-            m_session->loop.reportFaultEnded(ended.fault);
+    const auto after = activeFaults(rig);
+    for (const ActiveFault& each : before)
+        if (!std::ranges::count(after, each))
+            m_session->loop.reportFaultEnded(each.fault);
     if (!fault.isOn || fault.fault == SimulatedFault::None)
         return {};
     setFault(rig, fault.fault, fault.object, true);
