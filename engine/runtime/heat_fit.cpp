@@ -18,10 +18,11 @@ HeatFit::Change HeatFit::expected(const HeatSpan& span) const {
         change.min_K = std::min(change.min_K, corner.x() * span.minEnergy_K - corner.y() * span.maxLoss_K_s);
         change.max_K = std::max(change.max_K, corner.x() * span.maxEnergy_K - corner.y() * span.minLoss_K_s);
     }
-    return change;
+    return {change.min_K - span.unsure_K, change.max_K + span.unsure_K};
 }
 
 void HeatFit::learn(const HeatSpan& span, double change_K, double tolerance_K) {
+    tolerance_K += span.unsure_K;
     clip(span.minEnergy_K, -span.maxLoss_K_s, change_K + tolerance_K);
     clip(-span.maxEnergy_K, span.minLoss_K_s, tolerance_K - change_K);
 }

@@ -10,10 +10,12 @@
 namespace bask {
 
 /// What happened between two moments: the ranges of the absorbed energy (K, as estimated) and of the time
-/// integral of the temperature above room temperature (K s).
+/// integral of the temperature above room temperature (K s), and by how much the temperature may have changed
+/// besides (K).
 struct HeatSpan {
     double minEnergy_K = 0.0, maxEnergy_K = 0.0;
     double minLoss_K_s = 0.0, maxLoss_K_s = 0.0;
+    double unsure_K = 0.0;
 };
 
 /// The object's temperature changes by k E - a Q over a span. The constants are k, the error factor of the

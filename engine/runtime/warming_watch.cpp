@@ -26,6 +26,9 @@ constexpr double kWrongThen = 0.06;
 constexpr double kWrongNow = 0.05; // and from learning to now
 constexpr double kRoomUnknown_K = 5.0, kRoomZeroed_K = 0.2;
 constexpr double kRoomDrift_K_s = 2.0 / 3600.0;
+constexpr double kShortestRest_s = 30.0, kLongestRest_s = 60.0; // several lags of a sensor
+constexpr double kRestChange_K = 0.15;
+constexpr double kBetterShare = 0.8; // of what is known, to count anew
 
 /// Returns the range of the change over all fits.
 template <class SpanOf> HeatFit::Change ofAll(const std::vector<HeatFit>& fits, SpanOf spanOf) {
@@ -67,6 +70,49 @@ void WarmingWatch::restAt(double time_s, double temperature_K) {
     reset();
     m_environment_K = temperature_K;
     m_zeroed_s = time_s;
+    m_isRest = false;
+    m_restRate_K_s = 0.0;
+}
+
+double WarmingWatch::roomUnknown_K(double time_s) const {
+    return m_zeroed_s ? std::min(kRoomUnknown_K, kRoomZeroed_K + kRoomDrift_K_s * (time_s - *m_zeroed_s))
+                      : kRoomUnknown_K;
+}
+
+void WarmingWatch::noteRest() {
+    if (m_bins.empty() || // or warmer or colder than any room: on its way
+        std::abs(m_bins.back().temperature_K - m_environment_K) > roomUnknown_K(m_bins.back().time_s))
+        return;
+    const Mark& last = m_bins.back();
+    // A power that lifts no object by more than the room is known by: one that is heated is at no rest,
+    // wherever its sensor is.
+    const double maxPower_K_s = kRoomZeroed_K * m_losses.min_1_s;
+    // The rate by which the temperature may change unseen; it must become smaller by this.
+    double rate_K_s = m_restRate_K_s + m_losses.max_1_s * (roomUnknown_K(last.time_s) - kRoomZeroed_K);
+    double min_K = last.temperature_K, max_K = min_K;
+    bool isRest = false;
+    for (std::size_t i = m_bins.size() - 1; i-- > 0;) {
+        const Mark& from = m_bins[i];
+        min_K = std::min(min_K, from.temperature_K);
+        max_K = std::max(max_K, from.temperature_K);
+        const double time_s = last.time_s - from.time_s;
+        const double power_K_s = (last.energy_K.front() - from.energy_K.front()) / time_s;
+        if (max_K - min_K > kRestChange_K || std::abs(power_K_s) > maxPower_K_s || time_s > kLongestRest_s)
+            break;
+        const double unseen_K = std::max({max_K - min_K, kTolerance_K, kToleranceTimes * m_noise_K});
+        if (time_s < kShortestRest_s || unseen_K / time_s > kBetterShare * rate_K_s)
+            continue;
+        rate_K_s = unseen_K / time_s;
+        isRest = true;
+    }
+    if (!isRest)
+        return;
+    m_isRest = true;
+    m_environment_K = last.temperature_K;
+    m_zeroed_s = last.time_s;
+    m_restRate_K_s = rate_K_s;
+    m_bins.clear(); // they count from another balance
+    m_learnt = 0;
 }
 
 void WarmingWatch::integrate(double dt_s, double power_K_s) {
@@ -137,10 +183,7 @@ HeatSpan WarmingWatch::span(const Mark& from, const Mark& to, std::size_t fit, d
     const auto losses_K_s = [&](std::size_t of) {
         return linear_K_s + (radiated_K_s - linear_K_s) * kMaxLaw * static_cast<double>(of) / kLaws;
     };
-    const double room_K =
-        m_zeroed_s ? std::min(kRoomUnknown_K, kRoomZeroed_K + kRoomDrift_K_s * (to.time_s - *m_zeroed_s))
-                   : kRoomUnknown_K;
-    const double room_K_s = room_K * (to.time_s - from.time_s);
+    const double room_K_s = roomUnknown_K(to.time_s) * (to.time_s - from.time_s);
     HeatSpan span{std::min(faster_K, slower_K), std::max(faster_K, slower_K),
                   std::min(losses_K_s(law), losses_K_s(law + 1)),
                   std::max(losses_K_s(law), losses_K_s(law + 1))};
@@ -148,6 +191,7 @@ HeatSpan WarmingWatch::span(const Mark& from, const Mark& to, std::size_t fit, d
     span.maxEnergy_K += wrong * std::abs(span.maxEnergy_K);
     span.minLoss_K_s -= wrong * std::abs(span.minLoss_K_s) + room_K_s;
     span.maxLoss_K_s += wrong * std::abs(span.maxLoss_K_s) + room_K_s;
+    span.unsure_K = m_restRate_K_s * (to.time_s - from.time_s);
     return span;
 }
 
@@ -189,6 +233,8 @@ void WarmingWatch::judge() {
         m_bins.pop_front();
         --m_learnt;
     }
+    if (!m_unfollowed)
+        noteRest();
 }
 
 // The means of bins: a single wrong reading counts little. What was learnt of the object does not count: air
@@ -258,7 +304,11 @@ std::optional<double> WarmingWatch::unexplained_K(const WarmingWatch& readings, 
     const HeatFit::Change change =
         ofAll(m_fits, [&](std::size_t fit) { return span(*from, *to, fit, kWrongNow); });
     const double gained_K = to->temperature_K - from->temperature_K;
-    const double hidden_K = kToleranceTimes * std::max(m_noise_K, readings.m_noise_K) + unsure_K(*from, *to);
+    // of the other one's reference, where less is known of it
+    const double unknown_K = std::max(readings.roomUnknown_K(to_s) - roomUnknown_K(to_s), 0.0);
+    const double moved_K_s = std::max(readings.m_restRate_K_s - m_restRate_K_s, 0.0);
+    const double hidden_K = kToleranceTimes * std::max(m_noise_K, readings.m_noise_K) + unsure_K(*from, *to) +
+                            (m_losses.max_1_s * unknown_K + moved_K_s) * time_s;
     return std::max(gained_K - change.max_K - hidden_K, 0.0) +
            std::min(gained_K - change.min_K + hidden_K, 0.0);
 }
@@ -314,7 +364,9 @@ std::optional<Unfollowed> WarmingWatch::unfollowedWhileSame(double min_K) const 
     Fits fits = m_fits;
     for (std::size_t i = m_learnt; i < m_bins.size() && m_bins[i].time_s <= m_same.time_s; ++i)
         learn(fits, i);
-    std::optional<Unfollowed> found = worst(fits, m_same, min_K, kWrongNow);
+    std::optional<Unfollowed> found;
+    if (!m_isRest || m_same.time_s >= *m_zeroed_s) // else its losses are of another reference
+        found = worst(fits, m_same, min_K, kWrongNow);
     for (const Mark& from : m_bins)
         if (from.time_s > m_same.time_s)
             for (const auto& since : {worst(fits, from, min_K, kWrongNow), bent(fits, from, min_K)})

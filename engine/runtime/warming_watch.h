@@ -30,7 +30,8 @@ struct ForeignHeat {
 /// all explanations, as HeatFit does. The object does not follow its heat if all explanations demand a change
 /// of the same sign, even the smallest is large enough, and less than kMinShare of it has happened. There is
 /// no fault if one explanation fits. The newest readings are judged but not learnt from: only what is older
-/// than kJudged_s is learnt, and no value that stays exactly the same for long.
+/// than kJudged_s is learnt, and no value that stays exactly the same for long. One that stays nearly the
+/// same without heat tells where the room is.
 class WarmingWatch {
 public:
     static constexpr double kMinShare = 0.1;
@@ -82,6 +83,11 @@ private:
     void integrate(double dt_s, double power_K_s);
     /// `wrong` is the relative error of energy and losses.
     HeatSpan span(const Mark& from, const Mark& to, std::size_t fit, double wrong) const;
+    /// Where the reading stays as it is without heat, the object, or a sensor that is off it, has found its
+    /// balance with the room: changes are counted from there, and the room need not be known.
+    void noteRest();
+    /// By how much the room may be warmer or colder than the reference at a time.
+    double roomUnknown_K(double time_s) const;
     /// By how much a change between two marks may be wrong.
     static double unsure_K(const Mark& from, const Mark& to);
     void learn(Fits& fits, std::size_t end) const;
@@ -96,6 +102,8 @@ private:
     LossRange m_losses;
     double m_environment_K;
     std::optional<double> m_zeroed_s{}; ///< time when the room's temperature was measured
+    bool m_isRest = false;              ///< it was told by a rest, from which changes are counted
+    double m_restRate_K_s = 0.0;        ///< by which the temperature may still have changed there
     double m_min_K;
     double m_bin_s;
     Fits m_anything; ///< a fit that knows the bounds only

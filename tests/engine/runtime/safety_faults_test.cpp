@@ -375,6 +375,33 @@ TEST(Safety, ASensorThatDoesNotWarmNearTheSourceEndsTheRun) {
     EXPECT_EQ(rig.loop.reasons().front().args.at(0), "left");
 }
 
+// Catches a sensor that was off its object before a later run began, which was never told: the room's
+// temperature was measured long ago then, and a colder room explained everything.
+TEST(Safety, ASensorThatIsOffBeforeALaterRunEndsIt) {
+    for (const bool wasDistrusted : {false, true}) {
+        Rig rig(readExperiment(BASK_EXAMPLES "/three-objects.json").value());
+        ASSERT_NO_FATAL_FAILURE(rig.run(60.0));
+        setFault(rig.rig, SimulatedFault::SensorOff, 1, wasDistrusted);
+        (void)rig.until([] { return false; }, 30.0);
+        setFault(rig.rig, SimulatedFault::SensorOff, 1, false);
+        (void)rig.loop.stop();
+        (void)rig.until([] { return false; }, 1500.0);
+        (void)rig.loop.reset();
+
+        setFault(rig.rig, SimulatedFault::SensorOff, 1, true);
+        rig.periods(10);
+        if (wasDistrusted) {
+            ASSERT_TRUE(rig.loop.confirmSensor(1)) << "a person looked at another one";
+        }
+        rig.periods(40);
+        ASSERT_TRUE(rig.loop.arm());
+        ASSERT_TRUE(rig.loop.start(true));
+        EXPECT_LE(rig.until([&] { return rig.isAlarm(MessageCode::SafetyNotWarming); }, 600.0), 240.0);
+        EXPECT_EQ(rig.loop.state(), RunState::Stopping);
+        EXPECT_LT(rig.rig.trueTemperatures_K()[1], kelvinFromCelsius(75.0));
+    }
+}
+
 // Catches a sensor that came off and is believed again, since it reads the room for long enough; a run that
 // is resumed on its reading; and one that is back on its object and not believed.
 TEST(Safety, ASensorThatCameOffIsDistrustedUntilItAgrees) {
