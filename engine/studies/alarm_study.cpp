@@ -206,6 +206,8 @@ private:
         } else if (m_drawn.fault.fault == SimulatedFault::SourceHeatsAlone ||
                    m_drawn.fault.fault == SimulatedFault::SourceKeepsHeat) {
             isShown = m_isEndedByPerson;
+        } else if (m_drawn.fault.fault == SimulatedFault::SourceNotHeating) {
+            isShown = !m_row.isTripped; // of a run that had ended there is no heat to miss
         }
         if (isShown && !m_row.shown_s)
             m_row.shown_s = now_s;
@@ -251,13 +253,20 @@ private:
                 return isUnread(i, message.args.at(1).sentences().at(0));
             if (message.code == MessageCode::SafetyTargetLeft)
                 return std::abs(true_K[i] - m_loop.experiment().objects[i].target_K) >
-                       TargetWatch::kFar_K - kTellingOf_K;
+                       TargetWatch::kFar_K - tellingOf_K(i);
             if (message.code == MessageCode::SafetyObjectWarm)
-                return true_K[i] > warningLimit_K(m_experiment, object) - kTellingOf_K;
+                return true_K[i] > warningLimit_K(m_experiment, object) - tellingOf_K(i);
             if (message.code == MessageCode::SafetyObjectHot)
-                return true_K[i] > tripLimit_K(m_experiment, object) - kTellingOf_K;
+                return true_K[i] > tripLimit_K(m_experiment, object) - tellingOf_K(i);
         }
         return false;
+    }
+
+    /// A camera states by how much it may err beside a hot source: two of its standard uncertainties.
+    double tellingOf_K(std::size_t i) const {
+        if (m_experiment.objects[i].readBy != ReadBy::Camera)
+            return kTellingOf_K;
+        return std::fmax(kTellingOf_K, 2.0 * m_loop.latest().objects[i].camera.uncertainty_K);
     }
 
     /// Whether the camera truly cannot read an object for a reason.
