@@ -33,10 +33,11 @@ QStringView QSysInfo QTemporaryDir QTemporaryFile QTextStream QThread QThreadPoo
 QVariantMap QVector QWaitCondition QWeakPointer QtGlobal QtNumeric
 """.split())
 QT_MODULES_IN_ENGINE = {"QtCore"}
-# What the SVG reader of engine/shape uses besides: QtSvg paints into a paint engine of its own.
-QT_SVG = set("""
-QPaintDevice QPaintEngine QPainter QPainterPath QStringConverter QSvgRenderer QXmlStreamReader QXmlStreamWriter
-""".split())
+# What the SVG reader of engine/shape uses besides.
+QT_SVG = set("QStringConverter QXmlStreamReader QXmlStreamWriter".split())
+# And the module that paints: QtSvg paints into a paint engine of its own.
+QT_PAINTING = set("QBuffer QImage QPaintDevice QPaintEngine QPainter QPainterPath QSvgRenderer".split())
+PAINTING_MODULE = "engine/media/painting_module.cpp"
 
 # The links of engine/drivers.
 QT_LINKS = set("""
@@ -71,9 +72,9 @@ OPENCV_INSIDE = {"engine/media/media.h"}
 
 
 def qt_in_engine(path):
-    """The recordings' sources, runtime's worker, the real rig and shape's SVG reader are the engine's Qt users."""
+    """The recordings' sources, runtime's worker, the real rig, shape's SVG reader and what paints are the engine's Qt users."""
     name = path.name
-    if is_svg_source(path) or path.as_posix() == "engine/base/translated.h":  # a macro's name, without Qt
+    if is_svg_source(path) or path.as_posix() == PAINTING_MODULE or path.as_posix() == "engine/base/translated.h":  # a macro's name, without Qt
         return True
     if path.parts[:2] in {("engine", "recording"), ("engine", "experiment")}:
         return path.suffix not in HEADER_SUFFIXES
@@ -254,6 +255,7 @@ class Checker:
         module, _, name = target.rpartition("/")
         known = QT_CORE | QT_MODULES_IN_ENGINE | (QT_SVG if is_svg_source(path) else set())
         known |= QT_LINKS if is_link_source(path) else set()
+        known |= QT_PAINTING if path.as_posix() == PAINTING_MODULE else set()
         if (module and module not in QT_MODULES_IN_ENGINE) or name not in known:
             self.report(path, line, "qt", f"<{target}>: the engine uses QtCore only")
 

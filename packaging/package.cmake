@@ -5,7 +5,7 @@ set(doc ${CMAKE_INSTALL_DATADIR}/doc/bask)
 set(icons ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable)
 install(TARGETS bask RUNTIME)
 install(TARGETS bask-draw bask-guard bask-window RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/bask) # found from bask's own place
-install(TARGETS bask-pictures bask-video bask-mqtt LIBRARY DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/bask)
+install(TARGETS bask-pictures bask-video bask-painting bask-sleep bask-mqtt LIBRARY DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/bask)
 install(FILES ${linux}/bask.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
 install(FILES ${linux}/bask.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages)
 install(FILES ${linux}/org.bask.Bask.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo)

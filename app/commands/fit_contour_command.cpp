@@ -18,6 +18,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <stdexcept>
 
 namespace bask {
 namespace {
@@ -293,8 +294,12 @@ int fitAndReport(const FitContourArguments& request, bool asJson) {
     std::vector<WholeFile> files;
     if (!request.contourPath.empty())
         files.push_back({request.contourPath, report});
-    if (!request.previewPath.empty())
-        files.push_back({request.previewPath, fitPreview(*picked, *fit).toStdString()});
+    try {
+        if (!request.previewPath.empty())
+            files.push_back({request.previewPath, fitPreview(*picked, *fit)});
+    } catch (const std::runtime_error&) { // a part of the program is not there, which has been said
+        return kExitFault;
+    }
     if (const auto written = writeWholeFiles(files); !written)
         return refuse("fit-contour", written.error());
     if (asJson)

@@ -1,16 +1,12 @@
 #include "app/commands/fit_contour_report.h"
 
 #include "engine/base/units.h"
+#include "engine/media/painting.h"
 #include "engine/shape/shape.h"
 
 #include <nlohmann/json.hpp>
 
 #include <Eigen/Geometry>
-
-#include <QBuffer>
-#include <QImage>
-#include <QPainter>
-#include <QPainterPath>
 
 #include <algorithm>
 #include <cmath>
@@ -54,31 +50,33 @@ struct View {
     double scale = 1.0; // px per m
     int size_px = 0;
 
-    QPointF operator()(const Eigen::Vector2d& p_m) const {
+    Eigen::Vector2d operator()(const Eigen::Vector2d& p_m) const {
         const Eigen::Vector2d d = scale * (p_m - middle_m);
         return {0.5 * size_px + d.x(), 0.5 * size_px - d.y()};
     }
-    QPolygonF operator()(const std::vector<Eigen::Vector2d>& points_m) const {
-        QPolygonF polygon;
+    std::vector<Eigen::Vector2d> operator()(const std::vector<Eigen::Vector2d>& points_m) const {
+        std::vector<Eigen::Vector2d> out;
+        out.reserve(points_m.size());
         for (const Eigen::Vector2d& p : points_m)
-            polygon << (*this)(p);
-        return polygon;
+            out.push_back((*this)(p));
+        return out;
     }
 };
 
-void drawGrid(QPainter& painter, const View& view) {
+PictureLayer gridOf(const View& view) {
+    PictureLayer grid{.lines_px = {}, .isClosed = false, .ink = {0xdd, 0xdd, 0xdd}};
     const double width_m = view.size_px / view.scale;
     const double step_m = std::pow(10.0, std::floor(std::log10(width_m / 3.0)));
-    painter.setPen(QPen(QColor(0xdd, 0xdd, 0xdd), 1.0));
     const Eigen::Vector2d min = view.middle_m - Eigen::Vector2d::Constant(0.5 * width_m);
-    for (double k = std::ceil(min.x() / step_m); k * step_m < min.x() + width_m; ++k) {
-        const double x = view({k * step_m, 0.0}).x();
-        painter.drawLine(QPointF(x, 0.0), QPointF(x, view.size_px));
-    }
-    for (double k = std::ceil(min.y() / step_m); k * step_m < min.y() + width_m; ++k) {
-        const double y = view({0.0, k * step_m}).y();
-        painter.drawLine(QPointF(0.0, y), QPointF(view.size_px, y));
-    }
+    for (const int axis : {0, 1})
+        for (double k = std::ceil(min[axis] / step_m); k * step_m < min[axis] + width_m; ++k) {
+            Eigen::Vector2d from = view(Eigen::Vector2d::Constant(k * step_m));
+            from[1 - axis] = 0.0;
+            Eigen::Vector2d to = from;
+            to[1 - axis] = view.size_px;
+            grid.lines_px.push_back({from, to});
+        }
+    return grid;
 }
 
 } // namespace
@@ -127,37 +125,20 @@ Json fitReport(const PickedOutline& picked, const FourierFit& fit, const std::st
     return report;
 }
 
-QByteArray fitPreview(const PickedOutline& picked, const FourierFit& fit) {
+std::string fitPreview(const PickedOutline& picked, const FourierFit& fit) {
     constexpr int kSize_px = 1000;
     constexpr double kFilled = 0.85; // of the picture
     const std::vector<Eigen::Vector2d> series = pointsOf(fit);
     const Eigen::AlignedBox2d box = boxOf(picked.contour.points_m).merged(boxOf(series));
     const View view{box.center(), kFilled * kSize_px / box.sizes().maxCoeff(), kSize_px};
-    QImage image(kSize_px, kSize_px, QImage::Format_RGB32);
-    image.fill(Qt::white);
-    image.setText(QStringLiteral("Software"), QString::fromLatin1(kPreviewMark));
-    QPainter painter(&image);
-    painter.setRenderHint(QPainter::Antialiasing);
-    drawGrid(painter, view);
-    painter.setPen(QPen(QColor(0x55, 0x5f, 0x6b), 1.5));
-    painter.setBrush(QColor(0x55, 0x5f, 0x6b, 0x40));
-    QPainterPath face; // odd-even: holes stay open
-    face.addPolygon(view(picked.contour.points_m));
-    face.closeSubpath();
-    for (const Contour& hole : picked.holes) {
-        face.addPolygon(view(hole.points_m));
-        face.closeSubpath();
-    }
-    painter.drawPath(face);
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(QColor(0xd0, 0x2b, 0x2b), 2.0));
-    painter.drawPolygon(view(series));
-    painter.end();
-    QByteArray png;
-    QBuffer buffer(&png);
-    buffer.open(QIODevice::WriteOnly);
-    image.save(&buffer, "PNG");
-    return png;
+    PictureLayer face{.lines_px = {view(picked.contour.points_m)},
+                      .ink = {0x55, 0x5f, 0x6b},
+                      .width_px = 1.5,
+                      .fillOpacity = 0x40};
+    for (const Contour& hole : picked.holes)
+        face.lines_px.push_back(view(hole.points_m));
+    const PictureLayer fitted{.lines_px = {view(series)}, .ink = {0xd0, 0x2b, 0x2b}, .width_px = 2.0};
+    return painting().png(kSize_px, kPreviewMark, {gridOf(view), face, fitted});
 }
 
 } // namespace bask

@@ -6,8 +6,6 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include <QByteArray>
-
 #include <string>
 #include <vector>
 
@@ -26,6 +24,6 @@ nlohmann::ordered_json fitReport(const PickedOutline& picked, const FourierFit& 
 
 /// PNG of the outline with its holes (grey area) and the fit (red line) over a grid of 10 mm, or of as many
 /// powers of ten as the outline needs. Needs no application and no display.
-QByteArray fitPreview(const PickedOutline& picked, const FourierFit& fit);
+std::string fitPreview(const PickedOutline& picked, const FourierFit& fit);
 
 } // namespace bask

@@ -1,47 +1,40 @@
 #include "engine/drivers/sleep_inhibitor.h"
 
-#include <QDBusConnection>
-#include <QDBusMessage>
-#include <QDBusReply>
-#include <QDBusUnixFileDescriptor>
+#include "engine/base/program_part.h"
+
 #include <QThreadPool>
 
-#include <atomic>
 #include <mutex>
+#include <unistd.h>
+#include <utility>
 
 namespace bask {
 namespace {
 
-constexpr int kAnswer_ms = 5000;
-
+/// What logind gave, or why it did not.
 struct Answer {
-    QDBusUnixFileDescriptor descriptor; ///< as long as it is open, the computer stays awake
+    int descriptor = -1; ///< as long as it is open, the computer stays awake
     std::string problem;
+
+    Answer() = default;
+    Answer(Answer&& other) noexcept { *this = std::move(other); }
+    Answer& operator=(Answer&& other) noexcept {
+        std::swap(descriptor, other.descriptor);
+        std::swap(problem, other.problem);
+        return *this;
+    }
+    ~Answer() {
+        if (descriptor >= 0)
+            ::close(descriptor);
+    }
 };
 
+/// By the module that has D-Bus, which a rig without heat does not load.
 Answer ask(const std::string& bus) {
-    static std::atomic<int> count = 0;
-    const QString name = QStringLiteral("bask-sleep-%1").arg(++count);
-    QDBusConnection connection = bus.empty()
-                                     ? QDBusConnection::connectToBus(QDBusConnection::SystemBus, name)
-                                     : QDBusConnection::connectToBus(QString::fromStdString(bus), name);
     Answer out;
-    if (!connection.isConnected()) {
-        out.problem = "no D-Bus of the system";
-    } else {
-        QDBusMessage call = QDBusMessage::createMethodCall(
-            QStringLiteral("org.freedesktop.login1"), QStringLiteral("/org/freedesktop/login1"),
-            QStringLiteral("org.freedesktop.login1.Manager"), QStringLiteral("Inhibit"));
-        call.setArguments({QStringLiteral("sleep:idle"), QStringLiteral("Bask"),
-                           QStringLiteral("A heat source is on"), QStringLiteral("block")});
-        const QDBusReply<QDBusUnixFileDescriptor> reply = connection.call(call, QDBus::Block, kAnswer_ms);
-        if (reply.isValid())
-            out.descriptor = reply.value();
-        else
-            out.problem = "logind: " + reply.error().message().toStdString();
-    }
-    connection = QDBusConnection(QString());
-    QDBusConnection::disconnectFromBus(name);
+    void* const found = moduleFunction("bask-sleep.so", BASK_MODULES_BUILT, "baskStayAwake", out.problem);
+    if (found != nullptr)
+        out.descriptor = reinterpret_cast<int (*)(const std::string&, std::string&)>(found)(bus, out.problem);
     return out;
 }
 
@@ -82,7 +75,7 @@ void SleepInhibitor::keepAwake(bool isWanted) {
 
 bool SleepInhibitor::isKept() const {
     const std::lock_guard guard(m_lock->mutex);
-    return m_lock->answer.descriptor.isValid();
+    return m_lock->answer.descriptor >= 0;
 }
 
 std::string SleepInhibitor::problem() const {

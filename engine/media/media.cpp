@@ -1,6 +1,7 @@
 #include "engine/media/media.h"
 
 #include "engine/base/program_part.h"
+#include "engine/media/painting.h"
 
 #include <cstdio>
 #include <stdexcept>
@@ -32,6 +33,11 @@ const PictureCodecs& pictureCodecs() {
 std::unique_ptr<VideoInput> makeVideoInput() {
     static const auto kMake = functionOf<VideoInput*()>("bask-video.so", "baskMakeVideoInput");
     return std::unique_ptr<VideoInput>(kMake());
+}
+
+const Painting& painting() {
+    static const auto kPainting = functionOf<const Painting*()>("bask-painting.so", "baskPainting");
+    return *kPainting();
 }
 
 int fourCharacterCode(const std::string& letters) {

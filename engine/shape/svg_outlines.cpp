@@ -1,18 +1,15 @@
 #include "engine/shape/svg_outlines.h"
 
 #include "engine/base/message_code.h"
+#include "engine/media/painting.h"
 #include "engine/shape/contour_file.h"
 #include "engine/shape/svg_filter.h"
-
-#include <QPaintDevice>
-#include <QPaintEngine>
-#include <QPainter>
-#include <QPainterPath>
-#include <QSvgRenderer>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
+#include <stdexcept>
 
 namespace bask {
 namespace {
@@ -23,47 +20,50 @@ constexpr double kSizeTolerance = 1e-4; // of an outline's size: small ones keep
 using Points = std::vector<Eigen::Vector2d>;
 
 /// Makes flattened outlines of painted paths, until there are too many.
-class Outlines {
+class Outlines final : public PaintedShapes {
 public:
     Outlines(const Eigen::Affine2d& toPixels, double tolerance_m) : m_tolerance_m(tolerance_m) {
         m_toMetres = Eigen::Scaling(kMetresPerPixel, -kMetresPerPixel) * toPixels;
     }
 
-    /// `closed`: its subpaths are, however they end.
-    void add(const QPainterPath& path, const QTransform& transform, bool closed) {
-        for (int from = 0, to = 1; from < path.elementCount() && !m_refusal; from = to++) {
-            while (to < path.elementCount() && !path.elementAt(to).isMoveTo())
+    bool wants(int points) override {
+        if (points > kMaxSvgPathParts)
+            refuse({MessageCode::PathTooLong, {}, {std::to_string(kMaxSvgPathParts)}});
+        return !m_refusal;
+    }
+
+    void add(const std::vector<PaintedPoint>& path, bool isClosed) override {
+        for (std::size_t from = 0, to = 1; from < path.size() && !m_refusal; from = to++) {
+            while (to < path.size() && path[to].kind != PaintedPoint::Kind::Move)
                 ++to;
-            addSubpath(path, from, to, transform, closed);
+            addSubpath(std::span(path).subspan(from, to - from), isClosed);
         }
         ++m_region;
     }
 
-    bool full() const { return m_refusal.has_value(); }
     const std::optional<Error>& refusal() const { return m_refusal; }
     std::vector<FileOutline>& outlines() { return m_outlines; }
 
+private:
     void refuse(Error error) {
         if (!m_refusal)
             m_refusal = std::move(error);
     }
 
-private:
-    // Elements [from, to): a move, then lines and curves.
-    void addSubpath(const QPainterPath& path, int from, int to, const QTransform& transform, bool closed) {
+    // A move, then lines and curves.
+    void addSubpath(std::span<const PaintedPoint> path, bool isClosed) {
         Points controls_m;
         Eigen::AlignedBox2d box;
-        for (int k = from; k < to; ++k) {
-            const QPointF p = transform.map(QPointF(path.elementAt(k)));
-            controls_m.push_back(m_toMetres * Eigen::Vector2d(p.x(), p.y()));
+        for (const PaintedPoint& point : path) {
+            controls_m.push_back(m_toMetres * point.at_px);
             box.extend(controls_m.back());
             if (!(controls_m.back().cwiseAbs().maxCoeff() <= kLargestSvgOutline_m))
                 return refuse({MessageCode::DrawingTooWide, {}, {formatNumber(kLargestSvgOutline_m)}});
         }
         const double tolerance_m = std::min(m_tolerance_m, kSizeTolerance * box.diagonal().norm());
         FileOutline outline;
-        for (int k = 0; k < to - from; ++k) {
-            if (path.elementAt(from + k).isCurveTo()) {
+        for (std::size_t k = 0; k < path.size(); ++k) {
+            if (path[k].kind == PaintedPoint::Kind::Curve) {
                 addCurve(&controls_m[k - 1], tolerance_m, outline.points_m);
                 k += 2;
             } else {
@@ -72,7 +72,7 @@ private:
             if (m_refusal)
                 return;
         }
-        finish(std::move(outline), closed, tolerance_m);
+        finish(std::move(outline), isClosed, tolerance_m);
     }
 
     void addPoint(const Eigen::Vector2d& point_m, Points& points_m) {
@@ -119,101 +119,14 @@ private:
     std::optional<Error> m_refusal;
 };
 
-/// Paint engine that keeps shapes instead of drawing them. QtSvg paints each shape twice: first what is
-/// filled, without a pen (also when nothing is), then its stroke.
-class Recorder final : public QPaintEngine {
-public:
-    explicit Recorder(Outlines& outlines) : QPaintEngine(AllFeatures), m_outlines(outlines) {}
-
-    bool begin(QPaintDevice*) override { return true; }
-    bool end() override { return true; }
-    void updateState(const QPaintEngineState&) override {}
-    void drawPixmap(const QRectF&, const QPixmap&, const QRectF&) override {}
-    void drawTextItem(const QPointF&, const QTextItem&) override {}
-    Type type() const override { return User; }
-
-    void drawPath(const QPainterPath& path) override {
-        if (path.elementCount() > kMaxSvgPathParts)
-            m_outlines.refuse({MessageCode::PathTooLong, {}, {std::to_string(kMaxSvgPathParts)}});
-        paint(path, true, false);
-    }
-    void drawPolygon(const QPointF* points, int count, PolygonDrawMode mode) override {
-        if (m_outlines.full() || count < 1)
-            return;
-        QPainterPath path(points[0]);
-        for (int k = 1; k < count; ++k)
-            path.lineTo(points[k]);
-        paint(path, mode != PolylineMode, mode != PolylineMode);
-    }
-    using QPaintEngine::drawPolygon;
-
-private:
-    void paint(const QPainterPath& path, bool fillable, bool closed) {
-        const QPen pen = painter()->pen();
-        const bool filled = fillable && painter()->brush() != Qt::NoBrush;
-        const bool stroked = pen.style() != Qt::NoPen && pen.brush() != Qt::NoBrush;
-        if (m_outlines.full() || !(painter()->opacity() > 0.0))
-            return;
-        const QTransform transform = painter()->combinedTransform();
-        const bool same = stroked && !filled && path == m_filled && transform == m_transform;
-        m_filled = filled ? path : QPainterPath();
-        m_transform = transform;
-        if ((filled || stroked) && !same)
-            m_outlines.add(path, transform, filled || closed);
-    }
-
-    Outlines& m_outlines;
-    QPainterPath m_filled; // of the shape whose stroke may come
-    QTransform m_transform;
-};
-
-class RecorderDevice final : public QPaintDevice {
-public:
-    explicit RecorderDevice(Outlines& outlines) : m_recorder(outlines) {}
-    QPaintEngine* paintEngine() const override { return &m_recorder; }
-
-protected:
-    int metric(PaintDeviceMetric metric) const override {
-        switch (metric) {
-        case PdmWidth:
-        case PdmHeight:
-            return kSide;
-        case PdmDpiX:
-        case PdmDpiY:
-        case PdmPhysicalDpiX:
-        case PdmPhysicalDpiY:
-            return 96;
-        case PdmDevicePixelRatio:
-            return 1;
-        case PdmDevicePixelRatioScaled:
-            return static_cast<int>(devicePixelRatioFScale());
-        default:
-            return 0;
-        }
-    }
-
-public:
-    static constexpr int kSide = 1000; // of page and view alike, so that QtSvg scales nothing
-
-private:
-    mutable Recorder m_recorder;
-};
-
 Result<OutlineFile> painted(const PlainSvg& plain, const std::string& where, double tolerance_m) {
-    QSvgRenderer renderer;
-#if QT_VERSION >= QT_VERSION_CHECK(6, 7, 0)
-    // The limits are svg_filter's and ours. Qt's own leave out, in silence, what would take long to fill.
-    renderer.setOptions(QtSvg::AssumeTrustedSource);
-#endif
-    if (!renderer.load(QByteArray::fromRawData(plain.xml.data(), static_cast<qsizetype>(plain.xml.size()))))
-        return Error{MessageCode::NotSvg, where};
     Outlines outlines(plain.toPixels, tolerance_m);
-    RecorderDevice device(outlines);
-    const QRectF page(0, 0, RecorderDevice::kSide, RecorderDevice::kSide);
-    renderer.setViewBox(page);
-    QPainter painter(&device);
-    renderer.render(&painter, page);
-    painter.end();
+    try {
+        if (!painting().svg(plain.xml, outlines))
+            return Error{MessageCode::NotSvg, where};
+    } catch (const std::runtime_error&) { // a part of the program is not there, which has been said
+        return Error{MessageCode::NotSvg, where};
+    }
     if (outlines.refusal())
         return Error{outlines.refusal()->code(), where, outlines.refusal()->message.args};
     if (outlines.outlines().empty())

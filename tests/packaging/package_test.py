@@ -59,7 +59,8 @@ class Package(unittest.TestCase):
         examples = ROOT / "resources/examples"
         docs += [f"share/doc/bask/examples/{path.relative_to(examples)}" for path in examples.rglob("*") if path.is_file()]
         self.assertEqual(found, sorted(docs + [
-            "bin/bask", "libexec/bask/bask-draw", "libexec/bask/bask-guard", "libexec/bask/bask-mqtt.so", "libexec/bask/bask-pictures.so",
+            "bin/bask", "libexec/bask/bask-draw", "libexec/bask/bask-guard", "libexec/bask/bask-mqtt.so", "libexec/bask/bask-painting.so",
+            "libexec/bask/bask-pictures.so", "libexec/bask/bask-sleep.so",
             "libexec/bask/bask-video.so", "libexec/bask/bask-window", "lib/udev/rules.d/60-bask.rules", "share/applications/bask.desktop",
             "share/doc/bask/changelog.gz", "share/doc/bask/copyright", "share/icons/hicolor/scalable/apps/bask.svg",
             "share/icons/hicolor/scalable/mimetypes/application-x-bask-experiment.svg",
