@@ -59,15 +59,23 @@ namespace {
 
 constexpr double kNear = 0.02; ///< view factor: further away a source of 300 degC does little
 
+bool isNearSource(const Snapshot& snapshot) {
+    return std::ranges::any_of(snapshot.latest.objects, [](const ObjectSample& object) {
+        return object.viewFactor > kNear; // NaN where the robot's place is not sure
+    });
+}
+
 /// No run is on, and a hot source warms the objects all the same; a retreat would take them away.
 bool isOverHotSource(const Snapshot& snapshot, double environment_K) {
     const bool isHot =
         std::isfinite(snapshot.sourceAge_s) && snapshot.latest.source_K > environment_K + kHandWarm_K;
     const bool isShut = snapshot.simulated && snapshot.heat == HeatState::Off;
-    return isHot && !isShut && !isRunOn(snapshot.state) && !snapshot.isAway &&
-           std::ranges::any_of(snapshot.latest.objects, [](const ObjectSample& object) {
-               return object.viewFactor > kNear; // NaN where the robot's place is not sure
-           });
+    return isHot && !isShut && !isRunOn(snapshot.state) && !snapshot.isAway && isNearSource(snapshot);
+}
+
+/// Where Arm or Start may come next, besides *Ready*.
+bool isBeforeStart(RunState state) {
+    return state == RunState::NotReady || state == RunState::Armed || state == RunState::Stopped;
 }
 
 /// Reset waits for a source that heated though its heat is off, and for nothing graver.
@@ -204,7 +212,7 @@ void MainWindow::apply(const Snapshot& snapshot) {
         refuse(snapshot.refusal);
     armWithLabels(snapshot);
     dropOldQuestions(snapshot);
-    const QString refused = m_refused ? whyNot(snapshot, *m_refused) : openQuestion();
+    const QString refused = m_refused ? whyRefused(snapshot, *m_refused) : openQuestion();
     if (!m_pages->messages().keepWhile(refused, snapshot.state))
         m_refused.reset();
     m_undo->setState(snapshot.state);
@@ -391,7 +399,14 @@ void MainWindow::refuse(const Message& refusal) {
 
 void MainWindow::sayWhyNot(Verb verb) {
     m_refused = verb;
-    m_pages->messages().showWhile(whyNot(m_last, verb), m_last.state);
+    m_pages->messages().showWhile(whyRefused(m_last, verb), m_last.state);
+}
+
+/// An open question comes first for what would begin a run: no other step brings that nearer.
+QString MainWindow::whyRefused(const Snapshot& snapshot, Verb verb) const {
+    const bool isBegun = verb == Verb::Arm || verb == Verb::Start || verb == Verb::Resume;
+    const QString question = isBegun ? openQuestion() : QString();
+    return question.isEmpty() ? whyNot(snapshot, verb) : question;
 }
 
 void MainWindow::askInfeasible() {
@@ -523,9 +538,22 @@ QStringList MainWindow::askedFirst() const {
     const TargetJudge& judge = m_pages->judge();
     if (!judge.isCurrent())
         lines << tr("Ready; whether the targets can be held is being checked.");
-    else if (!judge.verdict()->feasible)
-        lines << tr("Ready, but: %1. Start asks about it.").arg(messageText(judge.verdict()->reason));
+    else if (const QString reason = whyNotHeld(); !reason.isEmpty())
+        lines << tr("Ready, but: %1. Start asks about it.").arg(reason);
     return lines;
+}
+
+/// Empty where the targets can be held, or nobody knows yet.
+QString MainWindow::whyNotHeld() const {
+    const TargetJudge& judge = m_pages->judge();
+    return judge.isCurrent() && !judge.verdict()->feasible ? messageText(judge.verdict()->reason) : QString();
+}
+
+/// The gravest of them that is known, as short as there is room for under the state.
+QString MainWindow::askedCaption() const {
+    if (!m_overlaps.isEmpty() && m_last.state != RunState::Armed) // Arm has asked
+        return tr("objects overlap");
+    return whyNotHeld().isEmpty() ? QString() : tr("cannot be held", "the targets");
 }
 
 void MainWindow::showNotes() {
@@ -545,7 +573,13 @@ void MainWindow::showNotes() {
     const bool isCold = !isRunOn(m_last.state) && m_last.state != RunState::Fault && isSourceCold(m_last);
     if (isCold)
         notes << coldSourceText(m_last, unit);
-    const bool isReady = m_last.state == RunState::Ready;
+    const bool isReady = m_last.state == RunState::Ready, isBefore = isReady || isBeforeStart(m_last.state);
+    if (const QString reason = isBefore && !isReady ? whyNotHeld() : QString(); !reason.isEmpty())
+        notes << tr("The targets cannot be held: %1. Start asks about it.").arg(reason);
+    if (m_last.state == RunState::Holding && isNearSource(m_last))
+        notes << tr(
+            "The objects stay where they are, near the source, and go on towards the temperature that they "
+            "reach there; Retreat takes them away.");
     m_stateBar->chip()->setExplanation(isReady ? askedFirst().join(u'\n') : QString());
     m_stateBar->chip()->setNotes((isReady ? QStringList() : m_overlaps) + notes + m_ages);
     const bool isFilling =
@@ -554,6 +588,10 @@ void MainWindow::showNotes() {
     if (isOverHeat)
         caption = tr("over hot source: %1", "the objects are over it; its temperature")
                       .arg(formatTemperature(m_last.latest.source_K, unit, 0));
+    else if (const QString asked =
+                 isBefore && m_last.state != RunState::NotReady ? askedCaption() : QString();
+             !asked.isEmpty())
+        caption = asked;
     else if (isFilling) // and nothing else stands in the way
         caption = tr("ready in %1 s", "readings are being collected")
                       .arg(QString::fromStdString(m_last.reasons.front().args.at(0).text()));
@@ -561,6 +599,9 @@ void MainWindow::showNotes() {
         caption = tr("source %1 of %2", "temperatures: that of now, and the set point")
                       .arg(formatTemperatureNumber(m_last.latest.source_K, unit, 0),
                            formatTemperature(m_last.warmUp->setPoint_K, unit, 0));
+    else if (std::ranges::find(m_last.reasons, MessageCode::ReasonEmergencyStop, &Message::code) !=
+             m_last.reasons.end())
+        caption = tr("STOP was pressed");
     m_stateBar->chip()->setCaption(caption);
 }
 

@@ -87,6 +87,7 @@ private:
     void askRetreat();
     void askHome();
     QString openQuestion() const;
+    QString whyRefused(const Snapshot& snapshot, Verb verb) const;
     bool isAnswerAwaited();
     void dropOldQuestions(const Snapshot& snapshot);
     void arm();
@@ -101,6 +102,8 @@ private:
     void takeAges(); ///< updates the ages of the calibrations, and which objects overlap
     void showRemedy();
     QStringList askedFirst() const;
+    QString askedCaption() const;
+    QString whyNotHeld() const;
     void showNotes(); ///< shows the notes in the list of the state chip
     void retranslate();
     void restyle();

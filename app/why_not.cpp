@@ -108,6 +108,8 @@ QString whyNot(const Snapshot& snapshot, Verb verb) {
     case Verb::Retreat:
         return whyNotRetreat(snapshot);
     case Verb::Reset:
+        if (snapshot.state == RunState::Stopping && !snapshot.reasons.empty())
+            return WhyNotWords::tr("Reset is possible when the robot has come to rest.");
         return WhyNotWords::tr("There is nothing to reset: no stop and no fault is latched.");
     case Verb::EmergencyStop:
         break;
@@ -158,7 +160,8 @@ QString whyNoForecast(RunForecast::Missing missing) {
     using enum RunForecast::Missing;
     switch (missing) {
     case NotSeen:
-        return WhyNotWords::tr("This run has no prediction: the Run page was not looked at long enough.");
+        return WhyNotWords::tr("This run has no prediction: it is computed while the Run page is shown, and "
+                               "was not ready at Start.");
     case NotFinished:
         return WhyNotWords::tr("This run has no prediction: it was not finished at Start.");
     case NotKnown:

@@ -3484,8 +3484,8 @@
 <context>
     <name>bask::BeliefText</name>
     <message>
-        <source>The controller began with heat rates wrong by up to ×%1, as the experiment asks.</source>
-        <translation>Le régulateur a commencé avec des coefficients thermiques faux d’un facteur allant jusqu’à %1, comme le demande l’expérience.</translation>
+        <source>The controller begins with heat rates wrong by up to ×%1, as the experiment asks.</source>
+        <translation>Le régulateur commence avec des coefficients thermiques faux d’un facteur allant jusqu’à %1, comme le demande l’expérience.</translation>
     </message>
 </context>
 <context>
@@ -4185,6 +4185,11 @@
         <source>Object</source>
         <translation>Objet</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>object; its steps in the runs</comment>
+        <translation>%1 : %2</translation>
+    </message>
 </context>
 <context>
     <name>bask::ComparisonView</name>
@@ -4238,6 +4243,14 @@
             <numerusform>%n ligne copiée</numerusform>
             <numerusform>%n lignes copiées</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The steps are not alike, so neither are times and overshoots: %1</source>
+        <translation>Les échelons diffèrent ; temps et dépassements ne se comparent donc pas : %1</translation>
+    </message>
+    <message>
+        <source>The source was not equally hot at Start: %1</source>
+        <translation>La source n’était pas également chaude au départ : %1</translation>
     </message>
 </context>
 <context>
@@ -4302,6 +4315,11 @@
     <message>
         <source>ζ = D / (2√K): overshoots below 1. Changes D.</source>
         <translation>ζ = D / (2√K) : dépassement au-dessous de 1. Modifie D.</translation>
+    </message>
+    <message>
+        <source>Rates wrong: ×%1</source>
+        <comment>the heat rates that the controller begins with</comment>
+        <translation>Coefficients faux : ×%1</translation>
     </message>
 </context>
 <context>
@@ -5339,14 +5357,6 @@
         <translation>Écart</translation>
     </message>
     <message>
-        <source>Settled after</source>
-        <translation>Stabilisé après</translation>
-    </message>
-    <message>
-        <source>Time from which the object stays within %1 of its target until the end</source>
-        <translation>Instant à partir duquel l’objet reste à moins de&#xa0;%1 de sa consigne jusqu’à la fin</translation>
-    </message>
-    <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
     </message>
@@ -5369,6 +5379,14 @@
     <message>
         <source>True</source>
         <translation>Réelle</translation>
+    </message>
+    <message>
+        <source>Settled at</source>
+        <translation>Stabilisé à</translation>
+    </message>
+    <message>
+        <source>Time of the run from which the object stays within %1 of its target until the end</source>
+        <translation>Instant de l’essai à partir duquel l’objet reste à moins de %1 de sa consigne jusqu’à la fin</translation>
     </message>
 </context>
 <context>
@@ -6313,6 +6331,27 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <source>Ready, but: %1. Start asks about it.</source>
         <translation>Prêt, mais : %1. Démarrer le demandera.</translation>
     </message>
+    <message>
+        <source>objects overlap</source>
+        <translation>chevauchement</translation>
+    </message>
+    <message>
+        <source>cannot be held</source>
+        <comment>the targets</comment>
+        <translation>consignes intenables</translation>
+    </message>
+    <message>
+        <source>STOP was pressed</source>
+        <translation>STOP pressé</translation>
+    </message>
+    <message>
+        <source>The targets cannot be held: %1. Start asks about it.</source>
+        <translation>Les consignes ne peuvent être tenues : %1. Démarrer le demandera.</translation>
+    </message>
+    <message>
+        <source>The objects stay where they are, near the source, and go on towards the temperature that they reach there; Retreat takes them away.</source>
+        <translation>Les objets restent où ils sont, près de la source, et continuent vers la température qu’ils y atteignent ; Retrait les éloigne.</translation>
+    </message>
 </context>
 <context>
     <name>bask::ManualWindow</name>
@@ -6681,6 +6720,19 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Length of the path of the end-effector&apos;s origin in the robot&apos;s base, from Start until Stop, by the robot&apos;s reported places, whose uncertainty no device tells.</source>
         <translation>Longueur du trajet de l’origine de l’effecteur dans la base du robot, du démarrage à l’arrêt, d’après les positions signalées par le robot, dont aucun appareil ne dit l’incertitude.</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Échelon</translation>
+    </message>
+    <message>
+        <source>%1 at %2 s</source>
+        <comment>difference of temperatures; time of the run</comment>
+        <translation>%1 à %2 s</translation>
+    </message>
+    <message>
+        <source>The target minus the temperature when it was set: at Start, or at the time beside it where the target was changed during the run. Times, overshoot and steady-state error are of this step.</source>
+        <translation>La consigne moins la température au moment où elle a été fixée : au départ, ou à l’instant indiqué à côté si la consigne a été changée pendant l’essai. Temps, dépassement et erreur statique concernent cet échelon.</translation>
     </message>
 </context>
 <context>
@@ -11126,14 +11178,6 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <translation>Paires</translation>
     </message>
     <message>
-        <source>Predicted: a run from the start pose does not settle within %1 (simulated).</source>
-        <translation>Prévision : partant de la pose de départ, un essai ne se stabilise pas en moins de %1 (simulé).</translation>
-    </message>
-    <message>
-        <source>Predicted: a run from the start pose has settled after %1 (simulated).</source>
-        <translation>Prévision : partant de la pose de départ, un essai est stabilisé au bout de %1 (simulé).</translation>
-    </message>
-    <message>
         <source>Predicting how long a run takes…</source>
         <translation>Prévision de la durée d&apos;un essai…</translation>
     </message>
@@ -11156,6 +11200,14 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
     <message>
         <source>Held at %1; %2 from the nearest limit: %3.</source>
         <translation>Maintien en %1 ; à %2 de la limite la plus proche : %3.</translation>
+    </message>
+    <message>
+        <source>Predicted: a run from the start pose, over a source at its set point, does not settle within %1 (simulated).</source>
+        <translation>Prévision : partant de la pose de départ, au-dessus d’une source à sa consigne, un essai ne se stabilise pas en moins de %1 (simulé).</translation>
+    </message>
+    <message>
+        <source>Predicted: a run from the start pose, over a source at its set point, has settled after %1 (simulated).</source>
+        <translation>Prévision : partant de la pose de départ, au-dessus d’une source à sa consigne, un essai est stabilisé au bout de %1 (simulé).</translation>
     </message>
 </context>
 <context>
@@ -12111,10 +12163,6 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <translation>Il n’y a pas encore d’enregistrement à garder. Armer en commence un.</translation>
     </message>
     <message>
-        <source>This run has no prediction: the Run page was not looked at long enough.</source>
-        <translation>Cet essai n’est pas prédit : la page Essai n’a pas été regardée assez longtemps.</translation>
-    </message>
-    <message>
         <source>This run has no prediction: it was not finished at Start.</source>
         <translation>Cet essai n’est pas prédit : le calcul n’était pas fini au démarrage.</translation>
     </message>
@@ -12153,6 +12201,14 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
     <message>
         <source>Home is not possible: the robot does not answer.</source>
         <translation>La prise d’origine n’est pas possible : le robot ne répond pas.</translation>
+    </message>
+    <message>
+        <source>This run has no prediction: it is computed while the Run page is shown, and was not ready at Start.</source>
+        <translation>Cet essai n’est pas prédit : la prévision se calcule tant que la page Essai est affichée, et elle n’était pas prête au démarrage.</translation>
+    </message>
+    <message>
+        <source>Reset is possible when the robot has come to rest.</source>
+        <translation>Réinitialiser est possible quand le robot s’est immobilisé.</translation>
     </message>
 </context>
 <context>

@@ -3478,7 +3478,7 @@
 <context>
     <name>bask::BeliefText</name>
     <message>
-        <source>The controller began with heat rates wrong by up to ×%1, as the experiment asks.</source>
+        <source>The controller begins with heat rates wrong by up to ×%1, as the experiment asks.</source>
         <translation>按实验的要求，控制器起始时所用的热速率有误，误差最大为 %1 倍。</translation>
     </message>
 </context>
@@ -4176,6 +4176,11 @@
         <source>Object</source>
         <translation>物体</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>object; its steps in the runs</comment>
+        <translation>%1：%2</translation>
+    </message>
 </context>
 <context>
     <name>bask::ComparisonView</name>
@@ -4228,6 +4233,14 @@
         <translation>
             <numerusform>已复制 %n 行</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The steps are not alike, so neither are times and overshoots: %1</source>
+        <translation>阶跃不同，因此时间和超调也不可比较：%1</translation>
+    </message>
+    <message>
+        <source>The source was not equally hot at Start: %1</source>
+        <translation>开始时各次运行的热源温度不同：%1</translation>
     </message>
 </context>
 <context>
@@ -4292,6 +4305,11 @@
     <message>
         <source>ζ = D / (2√K): overshoots below 1. Changes D.</source>
         <translation>ζ = D / (2√K)：小于 1 时有超调。改变 D。</translation>
+    </message>
+    <message>
+        <source>Rates wrong: ×%1</source>
+        <comment>the heat rates that the controller begins with</comment>
+        <translation>热速率有误：×%1</translation>
     </message>
 </context>
 <context>
@@ -5328,14 +5346,6 @@
         <translation>误差</translation>
     </message>
     <message>
-        <source>Settled after</source>
-        <translation>稳定时间</translation>
-    </message>
-    <message>
-        <source>Time from which the object stays within %1 of its target until the end</source>
-        <translation>从此时刻起直到结束，物体都保持在目标的 %1 以内</translation>
-    </message>
-    <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
     </message>
@@ -5358,6 +5368,14 @@
     <message>
         <source>True</source>
         <translation>真实</translation>
+    </message>
+    <message>
+        <source>Settled at</source>
+        <translation>稳定时刻</translation>
+    </message>
+    <message>
+        <source>Time of the run from which the object stays within %1 of its target until the end</source>
+        <translation>从运行的此时刻起直到结束，物体都保持在目标的 %1 以内</translation>
     </message>
 </context>
 <context>
@@ -6302,6 +6320,27 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>Ready, but: %1. Start asks about it.</source>
         <translation>就绪，但是：%1。“开始”时会询问。</translation>
     </message>
+    <message>
+        <source>objects overlap</source>
+        <translation>物体重叠</translation>
+    </message>
+    <message>
+        <source>cannot be held</source>
+        <comment>the targets</comment>
+        <translation>目标无法保持</translation>
+    </message>
+    <message>
+        <source>STOP was pressed</source>
+        <translation>已按软件停止</translation>
+    </message>
+    <message>
+        <source>The targets cannot be held: %1. Start asks about it.</source>
+        <translation>目标无法保持：%1。“开始”时会询问。</translation>
+    </message>
+    <message>
+        <source>The objects stay where they are, near the source, and go on towards the temperature that they reach there; Retreat takes them away.</source>
+        <translation>物体停在热源附近原处，温度会继续趋向该处的终值；“撤离”可使其离开。</translation>
+    </message>
 </context>
 <context>
     <name>bask::ManualWindow</name>
@@ -6670,6 +6709,19 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Length of the path of the end-effector&apos;s origin in the robot&apos;s base, from Start until Stop, by the robot&apos;s reported places, whose uncertainty no device tells.</source>
         <translation>从“开始”到“停止”，末端执行器原点在机器人基座坐标系中所走路径的长度，按机器人报告的位置计算，没有设备给出其不确定度。</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>阶跃</translation>
+    </message>
+    <message>
+        <source>%1 at %2 s</source>
+        <comment>difference of temperatures; time of the run</comment>
+        <translation>%1，始于 %2 s</translation>
+    </message>
+    <message>
+        <source>The target minus the temperature when it was set: at Start, or at the time beside it where the target was changed during the run. Times, overshoot and steady-state error are of this step.</source>
+        <translation>目标减去设定目标时的温度：设定于开始时；若运行中更改过目标，则为旁边标明的时刻。时间、超调和稳态误差均针对这一阶跃。</translation>
     </message>
 </context>
 <context>
@@ -11100,14 +11152,6 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <translation>物体对</translation>
     </message>
     <message>
-        <source>Predicted: a run from the start pose does not settle within %1 (simulated).</source>
-        <translation>预测：从起始位姿开始的运行在 %1 内不能稳定（仿真）。</translation>
-    </message>
-    <message>
-        <source>Predicted: a run from the start pose has settled after %1 (simulated).</source>
-        <translation>预测：从起始位姿开始的运行在 %1 后稳定（仿真）。</translation>
-    </message>
-    <message>
         <source>Predicting how long a run takes…</source>
         <translation>正在预测运行所需的时间…</translation>
     </message>
@@ -11130,6 +11174,14 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <message>
         <source>Held at %1; %2 from the nearest limit: %3.</source>
         <translation>在 %1 处保持；距最近的限值 %2：%3。</translation>
+    </message>
+    <message>
+        <source>Predicted: a run from the start pose, over a source at its set point, does not settle within %1 (simulated).</source>
+        <translation>预测：热源处于设定值时，从起始位姿开始的运行在 %1 内不能稳定（仿真）。</translation>
+    </message>
+    <message>
+        <source>Predicted: a run from the start pose, over a source at its set point, has settled after %1 (simulated).</source>
+        <translation>预测：热源处于设定值时，从起始位姿开始的运行在 %1 后稳定（仿真）。</translation>
     </message>
 </context>
 <context>
@@ -12081,10 +12133,6 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <translation>还没有可保存的记录。“待命”会开始一个记录。</translation>
     </message>
     <message>
-        <source>This run has no prediction: the Run page was not looked at long enough.</source>
-        <translation>此次运行没有预测：查看“运行”页的时间不够长。</translation>
-    </message>
-    <message>
         <source>This run has no prediction: it was not finished at Start.</source>
         <translation>此次运行没有预测：开始时预测尚未完成。</translation>
     </message>
@@ -12123,6 +12171,14 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <message>
         <source>Home is not possible: the robot does not answer.</source>
         <translation>无法回零：机器人没有应答。</translation>
+    </message>
+    <message>
+        <source>This run has no prediction: it is computed while the Run page is shown, and was not ready at Start.</source>
+        <translation>此次运行没有预测：预测在显示“运行”页时计算，开始时尚未完成。</translation>
+    </message>
+    <message>
+        <source>Reset is possible when the robot has come to rest.</source>
+        <translation>机器人静止后才能复位。</translation>
     </message>
 </context>
 <context>

@@ -3478,7 +3478,7 @@
 <context>
     <name>bask::BeliefText</name>
     <message>
-        <source>The controller began with heat rates wrong by up to ×%1, as the experiment asks.</source>
+        <source>The controller begins with heat rates wrong by up to ×%1, as the experiment asks.</source>
         <translation>依實驗的要求，控制器起始時所用的熱速率有誤，誤差最大為 %1 倍。</translation>
     </message>
 </context>
@@ -4176,6 +4176,11 @@
         <source>Object</source>
         <translation>物體</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>object; its steps in the runs</comment>
+        <translation>%1：%2</translation>
+    </message>
 </context>
 <context>
     <name>bask::ComparisonView</name>
@@ -4228,6 +4233,14 @@
         <translation>
             <numerusform>已複製 %n 列</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The steps are not alike, so neither are times and overshoots: %1</source>
+        <translation>步階不同，因此時間和過衝也不可比較：%1</translation>
+    </message>
+    <message>
+        <source>The source was not equally hot at Start: %1</source>
+        <translation>開始時各次運轉的熱源溫度不同：%1</translation>
     </message>
 </context>
 <context>
@@ -4292,6 +4305,11 @@
     <message>
         <source>ζ = D / (2√K): overshoots below 1. Changes D.</source>
         <translation>ζ = D / (2√K)：小於 1 時有過衝。改變 D。</translation>
+    </message>
+    <message>
+        <source>Rates wrong: ×%1</source>
+        <comment>the heat rates that the controller begins with</comment>
+        <translation>熱速率有誤：×%1</translation>
     </message>
 </context>
 <context>
@@ -5328,14 +5346,6 @@
         <translation>誤差</translation>
     </message>
     <message>
-        <source>Settled after</source>
-        <translation>穩定時間</translation>
-    </message>
-    <message>
-        <source>Time from which the object stays within %1 of its target until the end</source>
-        <translation>從此時刻起直到結束，物體都保持在目標的 %1 以內</translation>
-    </message>
-    <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
     </message>
@@ -5358,6 +5368,14 @@
     <message>
         <source>True</source>
         <translation>真實</translation>
+    </message>
+    <message>
+        <source>Settled at</source>
+        <translation>穩定時刻</translation>
+    </message>
+    <message>
+        <source>Time of the run from which the object stays within %1 of its target until the end</source>
+        <translation>從運轉的此時刻起直到結束，物體都保持在目標的 %1 以內</translation>
     </message>
 </context>
 <context>
@@ -6302,6 +6320,27 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>Ready, but: %1. Start asks about it.</source>
         <translation>就緒，但是：%1。「開始」時會詢問。</translation>
     </message>
+    <message>
+        <source>objects overlap</source>
+        <translation>物體重疊</translation>
+    </message>
+    <message>
+        <source>cannot be held</source>
+        <comment>the targets</comment>
+        <translation>目標無法保持</translation>
+    </message>
+    <message>
+        <source>STOP was pressed</source>
+        <translation>已按軟體停止</translation>
+    </message>
+    <message>
+        <source>The targets cannot be held: %1. Start asks about it.</source>
+        <translation>目標無法保持：%1。「開始」時會詢問。</translation>
+    </message>
+    <message>
+        <source>The objects stay where they are, near the source, and go on towards the temperature that they reach there; Retreat takes them away.</source>
+        <translation>物體停在熱源附近原處，溫度會繼續趨向該處的終值；「撤離」可使其離開。</translation>
+    </message>
 </context>
 <context>
     <name>bask::ManualWindow</name>
@@ -6670,6 +6709,19 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Length of the path of the end-effector&apos;s origin in the robot&apos;s base, from Start until Stop, by the robot&apos;s reported places, whose uncertainty no device tells.</source>
         <translation>從「開始」到「停止」，末端執行器原點在機器人基座座標系中所走路徑的長度，按機器人回報的位置計算，沒有裝置給出其不確定度。</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>步階</translation>
+    </message>
+    <message>
+        <source>%1 at %2 s</source>
+        <comment>difference of temperatures; time of the run</comment>
+        <translation>%1，始於 %2 s</translation>
+    </message>
+    <message>
+        <source>The target minus the temperature when it was set: at Start, or at the time beside it where the target was changed during the run. Times, overshoot and steady-state error are of this step.</source>
+        <translation>目標減去設定目標時的溫度：設定於開始時；若運轉中更改過目標，則為旁邊標明的時刻。時間、過衝和穩態誤差均針對這一步階。</translation>
     </message>
 </context>
 <context>
@@ -11100,14 +11152,6 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <translation>物體對</translation>
     </message>
     <message>
-        <source>Predicted: a run from the start pose does not settle within %1 (simulated).</source>
-        <translation>預測：從起始位姿開始的運轉在 %1 內不能穩定（模擬）。</translation>
-    </message>
-    <message>
-        <source>Predicted: a run from the start pose has settled after %1 (simulated).</source>
-        <translation>預測：從起始位姿開始的運轉在 %1 後穩定（模擬）。</translation>
-    </message>
-    <message>
         <source>Predicting how long a run takes…</source>
         <translation>正在預測運轉所需的時間…</translation>
     </message>
@@ -11130,6 +11174,14 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <message>
         <source>Held at %1; %2 from the nearest limit: %3.</source>
         <translation>在 %1 處保持；距最近的限值 %2：%3。</translation>
+    </message>
+    <message>
+        <source>Predicted: a run from the start pose, over a source at its set point, does not settle within %1 (simulated).</source>
+        <translation>預測：熱源處於設定值時，從起始位姿開始的運轉在 %1 內不能穩定（模擬）。</translation>
+    </message>
+    <message>
+        <source>Predicted: a run from the start pose, over a source at its set point, has settled after %1 (simulated).</source>
+        <translation>預測：熱源處於設定值時，從起始位姿開始的運轉在 %1 後穩定（模擬）。</translation>
     </message>
 </context>
 <context>
@@ -12081,10 +12133,6 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <translation>還沒有可儲存的記錄。「待命」會開始一個記錄。</translation>
     </message>
     <message>
-        <source>This run has no prediction: the Run page was not looked at long enough.</source>
-        <translation>此次運轉沒有預測：檢視「運轉」頁的時間不夠長。</translation>
-    </message>
-    <message>
         <source>This run has no prediction: it was not finished at Start.</source>
         <translation>此次運轉沒有預測：開始時預測尚未完成。</translation>
     </message>
@@ -12123,6 +12171,14 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <message>
         <source>Home is not possible: the robot does not answer.</source>
         <translation>無法回原點：機器人沒有回應。</translation>
+    </message>
+    <message>
+        <source>This run has no prediction: it is computed while the Run page is shown, and was not ready at Start.</source>
+        <translation>此次運轉沒有預測：預測在顯示「運轉」頁時計算，開始時尚未完成。</translation>
+    </message>
+    <message>
+        <source>Reset is possible when the robot has come to rest.</source>
+        <translation>機器人靜止後才能復歸。</translation>
     </message>
 </context>
 <context>

@@ -44,7 +44,7 @@ Result<std::vector<std::string>> exportFigures(const SessionRecord& session, con
     auto files = StagedFiles::into(folder);
     if (!files)
         return files.error();
-    const RunFigures figures(session, unit, layout);
+    const RunFigures figures(session, unit, layout, true);
     const std::vector<RunFigure> all = runFigures(session);
     ShareCount count(told, static_cast<double>(all.size() * std::size(kFigureFormats)));
     for (const RunFigure figure : all)

@@ -122,14 +122,14 @@ struct RunFigures::Impl {
     TraceStore store;
     QStringList names;
     QList<FigureMoment> moments;
-    QString note;
+    QString note, namesOfMoments;
     QString corner;
 
     QByteArray traces(const QString& title, Quantity quantity, FigureFormat format) const {
         TraceFigure figure;
         figure.layout = layout;
         figure.title = title;
-        figure.note = note;
+        figure.note = namesOfMoments.isEmpty() ? note : note + QStringLiteral(" \u00b7 ") + namesOfMoments;
         figure.corner = corner;
         figure.quantity = quantity;
         figure.names = names;
@@ -186,14 +186,16 @@ struct RunFigures::Impl {
     }
 };
 
-RunFigures::RunFigures(const SessionRecord& session, TemperatureUnit unit, const FigureLayout& layout)
-    : m_impl(new Impl{session, unit, layout, {}, {}, {}, {}, {}}) {
+RunFigures::RunFigures(const SessionRecord& session, TemperatureUnit unit, const FigureLayout& layout,
+                       bool namesMoments)
+    : m_impl(new Impl{session, unit, layout, {}, {}, {}, {}, {}, {}}) {
     for (const ObjectSpec& object : session.experiment.objects)
         m_impl->names << QString::fromStdString(object.name);
     m_impl->store.reset(session.experiment.objects.size());
     m_impl->store.keepAll();
     m_impl->store.append(session.samples);
     const std::vector<int> numbers = markedEvents(session.events);
+    QStringList words;
     double labelled_s = -1e300; // numbers that would overlap are left out, lines are not
     for (std::size_t k = 0; k < numbers.size() && layout.hasHeading; ++k) {
         if (numbers[k] == 0)
@@ -202,6 +204,8 @@ RunFigures::RunFigures(const SessionRecord& session, TemperatureUnit unit, const
         const bool hasRoom = time_s - labelled_s > kLabelRoom * m_impl->store.lastTime_s();
         m_impl->moments << FigureMoment{time_s, hasRoom ? QString::number(numbers[k]) : QString()};
         labelled_s = hasRoom ? time_s : labelled_s;
+        if (hasRoom && namesMoments)
+            words << QString::number(numbers[k]) + u' ' + messageText(session.events[k].message, unit);
     }
     m_impl->note = QString::fromStdString(session.experiment.title);
     if (session.simulated) {
@@ -210,6 +214,7 @@ RunFigures::RunFigures(const SessionRecord& session, TemperatureUnit unit, const
     }
     if (session.samples.empty())
         m_impl->note += QStringLiteral(" \u00b7 ") + FigureText::tr("no samples were recorded");
+    m_impl->namesOfMoments = words.join(listSeparator());
 }
 
 RunFigures::~RunFigures() = default;

@@ -33,7 +33,9 @@ inline const QString kRunFigureMark = QStringLiteral("Bask figure of a run");
 /// events, and need the heading. Needs a QApplication and its thread, but no display.
 class RunFigures {
 public:
-    RunFigures(const SessionRecord& session, TemperatureUnit unit, const FigureLayout& layout = {});
+    /// `namesMoments`: the heading says what the numbers of events are, as no list beside the figure does.
+    RunFigures(const SessionRecord& session, TemperatureUnit unit, const FigureLayout& layout = {},
+               bool namesMoments = false);
     ~RunFigures();
 
     /// Draws a figure; without samples, empty axes.

@@ -315,6 +315,15 @@ void RunMetricsCount::add(const TraceSample& sample) {
     m_pose = X_RE;
     if (isFirst)
         m_metrics.first = sample;
+    constexpr double kEarlyPeriods = 5.0;
+    const bool isEarly = sample.time_s - m_metrics.first.time_s <= kEarlyPeriods * m_metrics.period_s;
+    for (std::size_t i = 0; i < m_objects.size() && isEarly; ++i) { // one that adapts tells them a step later
+        ObjectSample& first = m_metrics.first.objects[i];
+        if (!std::isfinite(first.lambda1)) {
+            first.lambda1 = sample.objects[i].lambda1;
+            first.lambda2 = sample.objects[i].lambda2;
+        }
+    }
     m_metrics.last = sample;
     m_metrics.duration_s = sample.time_s;
     ++m_metrics.samples;

@@ -70,7 +70,9 @@ struct RunMetrics {
     /// contain this.
     std::array<double, 6> atLimit_s{};
     double atVelocityLimit_s = 0.0; ///< speed, rotation or both
-    TraceSample first, last;        ///< samples until Stop; without objects if there is none
+    /// Samples until Stop; without objects if there is none. The controller's estimates of the first are
+    /// those that it told first.
+    TraceSample first, last;
 };
 
 inline constexpr double kSteadyWindow_s = 60.0;

@@ -5,7 +5,10 @@
 #include "widgets/common/floating_place.h"
 #include "widgets/common/message_bar.h"
 
+#include <QAbstractScrollArea>
 #include <QPushButton>
+#include <QScrollBar>
+#include <QTest>
 
 #include <functional>
 #include <map>
@@ -103,6 +106,35 @@ TEST_F(FloatingBarsTest, NoBarMovesThePageOrHidesWhatIsNeeded) {
             waitForLayouts();
             EXPECT_EQ(before, places()) << where;
         }
+    }
+}
+
+// Catches: a page that jumps when its message goes, since the focus went from a button of it that was clicked
+// to a part that was out of sight.
+TEST_F(FloatingBarsTest, AClickedMessageThatGoesMovesNothing) {
+    openWindow();
+    window->resize(1024, 700);
+    const Snapshot calm = freeze();
+    for (int page = 0; page < kPages; ++page) {
+        window->pages().show(static_cast<Page>(page));
+        window->pages().apply(calm);
+        waitForLayouts();
+        for (auto* area : window->pages().findChildren<QAbstractScrollArea*>())
+            if (area->isVisible())
+                area->verticalScrollBar()->setValue(area->verticalScrollBar()->maximum());
+        MessageBar bar(&window->pages());
+        bar.say(MessageBar::Kind::Note, QStringLiteral("Saved."), QStringLiteral("Show in folder"));
+        waitForLayouts();
+        auto* action = bar.findChild<QPushButton*>();
+        ASSERT_TRUE(action->isVisible());
+        const auto before = places();
+        QTest::mouseClick(action, Qt::LeftButton);
+        bar.clear();
+        waitForLayouts();
+        for (const auto& [part, place] : places())
+            if (const auto old = before.find(part); old != before.end()) {
+                EXPECT_EQ(old->second, place) << "page " << page << ": " << part->objectName().toStdString();
+            }
     }
 }
 

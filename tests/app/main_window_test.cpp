@@ -745,6 +745,7 @@ TEST_F(MainWindowTest, TheChipsRemedyDoesWhatItSays) {
     QTest::keyClick(window.get(), Qt::Key_F12);
     ASSERT_TRUE(waitForState(RunState::Fault));
     ASSERT_TRUE(waitFor([&] { return chip->reasonsMenu()->actions().contains(reset); }));
+    EXPECT_EQ(chip->caption(), QStringLiteral("STOP was pressed")) << "the state's word is that of a fault";
     auto* tabs = find<QTabWidget>("dockTabs");
     tabs->setCurrentIndex(1);
     ASSERT_EQ(window->pages().page(), Page::Run);
@@ -958,10 +959,13 @@ TEST_F(MainWindowTest, ReadyTellsWhatWillBeAsked) {
     const std::vector<double> before_K = window->lastSnapshot().targets_K;
     ASSERT_TRUE(window->document().setTargets({kelvinFromCelsius(118.0), 313.15, 313.15}).ok());
     EXPECT_FALSE(told().contains(QStringLiteral("Nothing"))) << "it is not known yet";
+    EXPECT_EQ(chip->caption(), QString()) << "it is not known yet";
     ASSERT_TRUE(isTold("Start asks about it")) << told().toStdString();
+    EXPECT_EQ(chip->caption(), QStringLiteral("cannot be held"));
     EXPECT_TRUE(told().contains(messageText(window->pages().judge().verdict()->reason)));
     ASSERT_TRUE(window->document().setTargets(before_K).ok());
     ASSERT_TRUE(isTold("Nothing stands in the way")) << told().toStdString();
+    EXPECT_EQ(chip->caption(), QString());
 
     Experiment edited = window->document().experiment();
     edited.objects[1].shape = edited.objects[0].shape;
@@ -970,11 +974,30 @@ TEST_F(MainWindowTest, ReadyTellsWhatWillBeAsked) {
     ASSERT_TRUE(window->document().edit(edited).ok());
     ASSERT_TRUE(isTold("Ready, but: circle and bunny overlap; move one of them. Arm asks about it."))
         << told().toStdString();
+    EXPECT_EQ(chip->caption(), QStringLiteral("objects overlap"));
     EXPECT_FALSE(told().contains(QStringLiteral("Nothing")));
     qsizetype lines = 0;
     for (const QAction* line : chip->reasonsMenu()->actions())
         lines += line->text().count(QStringLiteral("overlap"));
     EXPECT_EQ(lines, 1) << "once";
+}
+
+// Catches: targets that cannot be held, of which the chip speaks in *Ready* and no more once armed.
+TEST_F(MainWindowTest, ArmedTellsWhatStartWillAsk) {
+    openWindow();
+    ASSERT_TRUE(waitForState(RunState::Ready));
+    const auto* chip = find<RunStateChip>("runStateChip");
+    ASSERT_TRUE(window->document().setTargets({kelvinFromCelsius(118.0), 313.15, 313.15}).ok());
+    const auto isTold = [&] {
+        return chip->caption() == QStringLiteral("cannot be held") &&
+               std::ranges::any_of(chip->reasonsMenu()->actions(), [](const QAction* line) {
+                   return line->text().contains(QStringLiteral("Start asks about it"));
+               });
+    };
+    ASSERT_TRUE(waitFor(isTold)) << chip->caption().toStdString();
+    QTest::keyClick(window.get(), Qt::Key_F5);
+    ASSERT_TRUE(waitForState(RunState::Armed));
+    EXPECT_TRUE(waitFor(isTold)) << chip->caption().toStdString();
 }
 
 // Catches: a key or a click that does nothing and says nothing, and a sentence that stays when it is no more

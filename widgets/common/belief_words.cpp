@@ -14,14 +14,22 @@ struct BeliefText {
 
 } // namespace
 
-QString wrongRatesText(const Experiment& experiment) {
-    const double factor = experiment.controller.estimatedRateErrorFactor;
+double wrongRatesFactor(const Experiment& experiment) {
     const auto isGiven = [](const ObjectSpec& object) { return object.estimatedRates.has_value(); };
-    if (factor == 1.0 || std::ranges::all_of(experiment.objects, isGiven)) // given ones are not made wrong
+    const bool areGiven = std::ranges::all_of(experiment.objects, isGiven); // these are not made wrong
+    return areGiven ? 1.0 : experiment.controller.estimatedRateErrorFactor;
+}
+
+QString wrongRatesText(double factor) {
+    if (factor == 1.0)
         return {};
     return BeliefText::tr(
-               "The controller began with heat rates wrong by up to \u00d7%1, as the experiment asks.")
+               "The controller begins with heat rates wrong by up to \u00d7%1, as the experiment asks.")
         .arg(QLocale().toString(factor, 'g', 3));
+}
+
+QString wrongRatesText(const Experiment& experiment) {
+    return wrongRatesText(wrongRatesFactor(experiment));
 }
 
 } // namespace bask

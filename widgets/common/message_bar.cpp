@@ -36,6 +36,10 @@ MessageBar::MessageBar(QWidget* parent)
         clear();
         emit closed();
     });
+    // A click leaves the focus where it is: with the bar it would go to a part of the page, which is brought
+    // into view, and the page jumps under the pointer.
+    for (QAbstractButton* button : std::initializer_list<QAbstractButton*>{m_action, m_other, m_close})
+        button->setFocusPolicy(Qt::TabFocus);
     refresh();
     hide();
 }

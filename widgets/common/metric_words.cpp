@@ -33,6 +33,8 @@ MetricFacts factsOf(ObjectMetric::Kind kind) {
     switch (kind) {
     case ObjectMetric::Target:
         return {QT_TRANSLATE_NOOP("bask::Metrics", "Target"), unit::kCelsius, 1};
+    case ObjectMetric::Step:
+        return {QT_TRANSLATE_NOOP("bask::Metrics", "Step"), unit::kKelvin, 1};
     case ObjectMetric::Final:
         return {QT_TRANSLATE_NOOP("bask::Metrics", "Final"), unit::kCelsius, 2};
     case ObjectMetric::Settling:
@@ -160,6 +162,17 @@ QString plusMinusText(ObjectMetric::Kind kind, std::optional<double> uncertainty
                                                 : number + QChar(0x00a0) + differenceUnitSymbol(unit));
 }
 
+/// With the time of a target that was changed during the run.
+QString stepText(const ObjectMetrics& metrics, double period_s, TemperatureUnit unit, int decimals) {
+    if (!metrics.step_K)
+        return MetricWords::tr("start unknown");
+    QString step = formatDifference(*metrics.step_K, unit, decimals);
+    if (metrics.from_s <= period_s) // of the targets at Start
+        return step;
+    return MetricWords::tr("%1 at %2 s", "difference of temperatures; time of the run")
+        .arg(step, QLocale().toString(metrics.from_s, 'f', 0));
+}
+
 QString riseText(const ObjectMetrics& metrics, double band_K, int decimals) {
     if (metrics.rise_s)
         return valueText(factsOf(ObjectMetric::Rise), *metrics.rise_s, decimals) +
@@ -235,6 +248,10 @@ QString metricDefinition(ObjectMetric metric, double band_K, TemperatureUnit uni
         return MetricWords::tr(
             "The last target that was set. The other numbers count from that moment, or from Start "
             "when it was not changed, until Stop.");
+    case ObjectMetric::Step:
+        return MetricWords::tr(
+            "The target minus the temperature when it was set: at Start, or at the time beside it where the "
+            "target was changed during the run. Times, overshoot and steady-state error are of this step.");
     case ObjectMetric::Final:
         return MetricWords::tr(
             "What the object's thermometer read at the last sample until Stop. The other numbers take its "
@@ -357,6 +374,8 @@ QString metricText(ObjectMetric metric, const RunMetrics& run, std::size_t objec
     switch (metric.kind) {
     case ObjectMetric::Target:
         return formatTemperature(metrics.target_K, unit, with);
+    case ObjectMetric::Step:
+        return stepText(metrics, run.period_s, unit, with);
     case ObjectMetric::Final:
         return metrics.final_K ? formatTemperature(*metrics.final_K, unit, with) +
                                      plusMinusText(metric.kind, metrics.readingUncertainty_K, unit)
@@ -396,6 +415,8 @@ std::optional<double> metricValue(ObjectMetric metric, const RunMetrics& run, st
     switch (metric.kind) {
     case ObjectMetric::Target:
         return std::isfinite(metrics.target_K) ? std::optional(metrics.target_K) : std::nullopt;
+    case ObjectMetric::Step:
+        return metrics.step_K;
     case ObjectMetric::Final:
         return metrics.final_K;
     case ObjectMetric::Settling:
@@ -452,6 +473,7 @@ std::optional<double> metricUncertainty(ObjectMetric metric, const RunMetrics& r
     case ObjectMetric::Rise:
         return counted->riseUncertainty_s;
     case ObjectMetric::Target:
+    case ObjectMetric::Step:
     case ObjectMetric::PathLength:
         break;
     }

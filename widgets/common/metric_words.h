@@ -15,16 +15,16 @@ namespace bask {
 
 /// Of an object: what is counted, and on which temperature.
 struct ObjectMetric {
-    enum class Kind { Target, Final, Settling, Rise, Overshoot, SteadyError, PathLength };
+    enum class Kind { Target, Step, Final, Settling, Rise, Overshoot, SteadyError, PathLength };
     using enum Kind;
     Kind kind;
     bool isTrue = false; ///< on the simulated object's own temperature instead of the readings
 };
 inline constexpr std::array kReadMetrics{
-    ObjectMetric{ObjectMetric::Target},    ObjectMetric{ObjectMetric::Final},
-    ObjectMetric{ObjectMetric::Settling},  ObjectMetric{ObjectMetric::Rise},
-    ObjectMetric{ObjectMetric::Overshoot}, ObjectMetric{ObjectMetric::SteadyError},
-    ObjectMetric{ObjectMetric::PathLength}};
+    ObjectMetric{ObjectMetric::Target},      ObjectMetric{ObjectMetric::Step},
+    ObjectMetric{ObjectMetric::Final},       ObjectMetric{ObjectMetric::Settling},
+    ObjectMetric{ObjectMetric::Rise},        ObjectMetric{ObjectMetric::Overshoot},
+    ObjectMetric{ObjectMetric::SteadyError}, ObjectMetric{ObjectMetric::PathLength}};
 inline constexpr std::array kTrueMetrics{
     ObjectMetric{ObjectMetric::Final, true}, ObjectMetric{ObjectMetric::Settling, true},
     ObjectMetric{ObjectMetric::Rise, true}, ObjectMetric{ObjectMetric::Overshoot, true},

@@ -160,7 +160,7 @@ void ComparisonView::showRow(int row, const ComparedMetric& metric) {
     }
 }
 
-/// Why there are dashes in a whole column.
+/// Why there are dashes in a whole column, and what does not compare.
 void ComparisonView::showNote() {
     QStringList waited, failed;
     for (const ComparedRun& run : m_runs)
@@ -172,6 +172,11 @@ void ComparisonView::showNote() {
     if (!failed.isEmpty())
         lines << tr("No metrics, the recording cannot be read to its end: %1")
                      .arg(failed.join(QStringLiteral(", ")));
+    if (const QStringList steps = unlikeSteps(m_runs, m_unit); !steps.isEmpty())
+        lines << tr("The steps are not alike, so neither are times and overshoots: %1")
+                     .arg(steps.join(QStringLiteral("; ")));
+    if (const QString sources = unlikeSources(m_runs, m_unit); !sources.isEmpty())
+        lines << tr("The source was not equally hot at Start: %1").arg(sources);
     m_note->setText(lines.join(u'\n'));
     m_note->setVisible(!lines.isEmpty());
     m_note->setPalette(captionPalette(palette()));

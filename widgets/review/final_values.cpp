@@ -60,7 +60,7 @@ void FinalValuesTable::refresh() {
     const std::vector<FinalValue> values = finalValues(m_names, m_metrics, m_unit);
     setAccessibleName(tr("Final values"));
     setHorizontalHeaderLabels(
-        {tr("Object"), tr("Target"), tr("Final"), tr("True"), tr("Error"), tr("Settled after")});
+        {tr("Object"), tr("Target"), tr("Final"), tr("True"), tr("Error"), tr("Settled at")});
     setColumnHidden(kTrue, std::ranges::none_of(
                                values, [](const FinalValue& value) { return std::isfinite(value.true_K); }));
     horizontalHeaderItem(kName)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
@@ -68,7 +68,7 @@ void FinalValuesTable::refresh() {
     horizontalHeaderItem(kTrue)->setToolTip(
         tr("The simulated object's own temperature when the run was stopped, which no sensor tells"));
     horizontalHeaderItem(kSettling)->setToolTip(
-        tr("Time from which the object stays within %1 of its target until the end")
+        tr("Time of the run from which the object stays within %1 of its target until the end")
             .arg(QStringLiteral("\u00b1") + formatDifference(kSettledBand_K, m_unit).mid(1)));
     setRowCount(static_cast<int>(values.size()));
     fitHeightToRows(*this);

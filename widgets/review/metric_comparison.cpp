@@ -19,7 +19,8 @@ struct ComparisonWords {
     Q_DECLARE_TR_FUNCTIONS(bask::Comparison)
 };
 
-constexpr int kDigitsInFiles = 15; // of a number that is rounded
+constexpr double kSourceAlike_K = 5.0; // a source swings about its set point
+constexpr int kDigitsInFiles = 15;     // of a number that is rounded
 constexpr int kDigitsOfDeviation = 2;
 
 /// What a run tells of a metric.
@@ -176,6 +177,45 @@ std::vector<ComparedMetric> compareMetrics(const std::vector<ComparedRun>& runs,
     for (const RunMetric metric : kRunMetrics)
         out.push_back(compared(metric, runs, reference));
     return out;
+}
+
+QStringList unlikeSteps(const std::vector<ComparedRun>& runs, TemperatureUnit unit) {
+    QStringList out;
+    for (const QString& object : allObjects(runs)) {
+        QStringList steps;
+        double min_K = std::numeric_limits<double>::infinity(), max_K = -min_K, band_K = 0.0;
+        for (const ComparedRun& run : runs) {
+            const auto index = static_cast<std::size_t>(run.objects.indexOf(object));
+            const std::optional<double> step_K =
+                run.metrics ? metricValue({ObjectMetric::Step}, *run.metrics, index) : std::nullopt;
+            if (!step_K)
+                continue;
+            min_K = std::min(min_K, *step_K);
+            max_K = std::max(max_K, *step_K);
+            band_K = run.metrics->band_K;
+            steps << run.mark + u' ' + metricText({ObjectMetric::Step}, *run.metrics, index, unit);
+        }
+        if (max_K - min_K > 2.0 * band_K)
+            out << ComparisonWords::tr("%1: %2", "object; its steps in the runs")
+                       .arg(object, steps.join(listSeparator()));
+    }
+    return out;
+}
+
+QString unlikeSources(const std::vector<ComparedRun>& runs, TemperatureUnit unit) {
+    QStringList sources;
+    double min_K = std::numeric_limits<double>::infinity(), max_K = -min_K;
+    for (const ComparedRun& run : runs) {
+        const double source_K = run.metrics && run.metrics->samples > 0
+                                    ? run.metrics->first.source_K
+                                    : std::numeric_limits<double>::quiet_NaN();
+        if (!std::isfinite(source_K))
+            continue;
+        min_K = std::min(min_K, source_K);
+        max_K = std::max(max_K, source_K);
+        sources << run.mark + u' ' + formatTemperature(source_K, unit, 0);
+    }
+    return max_K - min_K > kSourceAlike_K ? sources.join(listSeparator()) : QString();
 }
 
 QString differenceName(const ComparedRun& run, const ComparedRun& reference) {

@@ -47,6 +47,15 @@ struct ComparedMetric {
 std::vector<ComparedMetric> compareMetrics(const std::vector<ComparedRun>& runs, std::size_t reference,
                                            TemperatureUnit unit);
 
+/// Returns the steps of objects that are not alike in the runs, by more than twice the band within which a
+/// run is settled: "circle: A +15.0 K, B +25.0 K". Times and overshoots of such steps tell little of each
+/// other.
+QStringList unlikeSteps(const std::vector<ComparedRun>& runs, TemperatureUnit unit);
+
+/// Returns how hot the source was at Start, "A 200 °C, B 31 °C", if the runs differ in that by more than they
+/// do within one; else an empty string.
+QString unlikeSources(const std::vector<ComparedRun>& runs, TemperatureUnit unit);
+
 /// Returns the name of the column of differences: "B − A".
 QString differenceName(const ComparedRun& run, const ComparedRun& reference);
 

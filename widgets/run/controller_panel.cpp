@@ -2,7 +2,9 @@
 
 #include "engine/control/controller_catalogue.h"
 #include "engine/model/trace.h"
+#include "widgets/common/belief_words.h"
 #include "widgets/common/display.h"
+#include "widgets/common/elided_label.h"
 #include "widgets/common/parameter_form.h"
 #include "widgets/common/quantity_spin_box.h"
 #include "widgets/common/theme.h"
@@ -46,7 +48,7 @@ ControllerPanel::ControllerPanel(QWidget* parent) : QGroupBox(parent) {
     m_prediction->setObjectName(QStringLiteral("gainsPrediction"));
     m_prediction->setWordWrap(true);
 
-    m_note = new QLabel(this);
+    m_note = new ElidedLabel(this);
     m_note->setObjectName(QStringLiteral("gainsStaged"));
     m_note->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_revert = new QPushButton(this);
@@ -165,6 +167,11 @@ void ControllerPanel::setSettings(const ControllerSettings& settings) {
     }
 }
 
+void ControllerPanel::setWrongRates(double factor) {
+    m_wrongRates = factor;
+    showChanges();
+}
+
 void ControllerPanel::showStaged() {
     m_showing = true;
     m_choice->setCurrentIndex(m_choice->findData(QLatin1String(m_staged.kind.key())));
@@ -195,8 +202,12 @@ void ControllerPanel::showChanges() {
     m_prediction->setText(prediction());
     m_prediction->setPalette(captionPalette(palette()));
     m_prediction->setVisible(!m_prediction->text().isEmpty());
-    m_note->setText(changes > 0 ? tr("Not applied: %1", "number of changes").arg(changes) : QString());
-    m_note->setToolTip(m_note->text());
+    const bool isWrong = m_wrongRates != 1.0;
+    m_note->setText(changes > 0 ? tr("Not applied: %1", "number of changes").arg(changes)
+                    : isWrong ? tr("Rates wrong: \u00d7%1", "the heat rates that the controller begins with")
+                                    .arg(QLocale().toString(m_wrongRates, 'g', 3))
+                              : QString());
+    m_note->setToolTip(changes > 0 ? QString() : wrongRatesText(m_wrongRates));
     m_apply->setEnabled(changes > 0);
     m_revert->setEnabled(changes > 0);
 }
@@ -242,8 +253,8 @@ void ControllerPanel::changeEvent(QEvent* event) {
     QGroupBox::changeEvent(event);
     if (event->type() == QEvent::LanguageChange)
         retranslateUi();
-    else if (event->type() == QEvent::PaletteChange && m_prediction != nullptr)
-        m_prediction->setPalette(captionPalette(palette()));
+    else if (event->type() == QEvent::PaletteChange && m_apply != nullptr)
+        showChanges();
 }
 
 } // namespace bask

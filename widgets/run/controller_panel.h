@@ -19,9 +19,9 @@ struct ControllerGain;
 
 /// Edits are staged: nothing changes until Apply; Revert restores the engine's values. Both are enabled only
 /// if something differs. Object names: "controllerPanel", "controllerChoice", "gain.<group>.<name>" as in
-/// files ("gain.adaptive.mu"), "gain.frequency", "gain.damping", "gainsPrediction", "gainsApply",
-/// "gainsRevert", "gainsStaged". Frequency and damping are another form of the model-based D and K: each
-/// follows the other.
+/// files ("gain.adaptive.mu"), "gain.frequency", "gain.damping", "gainsPrediction",
+/// "gainsApply", "gainsRevert", "gainsStaged". Frequency and damping are another form of the model-based D
+/// and K: each follows the other.
 class ControllerPanel : public QGroupBox {
     Q_OBJECT
 public:
@@ -29,6 +29,8 @@ public:
 
     /// Sets the engine's settings. Fields follow them unless a person has staged something.
     void setSettings(const ControllerSettings& settings);
+    /// Sets by which factor the heat rates are wrong with which the controller begins; 1 for none.
+    void setWrongRates(double factor);
     const ControllerSettings& staged() const { return m_staged; }
     bool changed() const { return !(m_staged == m_applied); }
 
@@ -60,6 +62,7 @@ private:
     QLabel *m_frequencyLabel = nullptr, *m_dampingLabel = nullptr;
     GainSpinBox *m_frequency = nullptr, *m_damping = nullptr;
     QLabel* m_prediction = nullptr;
+    double m_wrongRates = 1.0;
     bool m_showing = false;
     QComboBox* m_choice = nullptr;
     QLabel* m_choiceLabel = nullptr;

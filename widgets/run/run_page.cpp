@@ -2,6 +2,7 @@
 
 #include "engine/base/message_code.h"
 #include "engine/model/mounting_check.h"
+#include "widgets/common/belief_words.h"
 #include "widgets/common/device_words.h"
 #include "widgets/common/display.h"
 #include "widgets/common/elided_label.h"
@@ -107,6 +108,7 @@ void RunPage::setExperiment(const Experiment& experiment) {
     showThermalTab(thermalProfile(experiment, !experiment.rig).has_value());
     m_tabs->setTabVisible(m_shadeTab, mayShade(experiment));
     m_controller->setSettings(experiment.controller);
+    m_controller->setWrongRates(wrongRatesFactor(experiment));
     m_runId.reset();
     beginTrace();
 }

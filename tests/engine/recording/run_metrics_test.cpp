@@ -37,6 +37,16 @@ template <class Temperature> SessionRecord recordOf(double duration_s, const Tem
     return record;
 }
 
+// Catches: estimates at the beginning that are not told, since the first sample is before the first step.
+TEST(RunMetrics, TheFirstEstimatesAreThoseThatWereToldFirst) {
+    SessionRecord record = recordOf(5.0, [](double) { return kTarget_K; });
+    record.samples[0].objects[0].lambda1 = kNaN;
+    record.samples[1].objects[0].lambda1 = 0.2;
+    record.samples[2].objects[0].lambda1 = 0.3;
+    EXPECT_EQ(runMetrics(record).first.objects.at(0).lambda1, 0.2);
+    EXPECT_EQ(runMetrics(record).first.time_s, 0.0);
+}
+
 TEST(RunMetrics, OfAFirstOrderStepAreItsAnalyticOnes) {
     constexpr double kTau_s = 20.0;
     const auto metrics =

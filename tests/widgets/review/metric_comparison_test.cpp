@@ -79,7 +79,7 @@ std::string plain(QString text) {
 // sign.
 TEST(MetricComparison, MatchesObjectsByTheirNames) {
     const auto metrics = compareMetrics(twoRuns(), 0, TemperatureUnit::Celsius);
-    ASSERT_EQ(metrics.size(), 7U * 4U + 5U) << "a row for each metric and object";
+    ASSERT_EQ(metrics.size(), 8U * 4U + 5U) << "a row for each metric and object";
     const ComparedMetric& settling = row(metrics, "Settling time", "circle");
     EXPECT_EQ(plain(settling.cells[0].text), "62.0 s");
     EXPECT_EQ(plain(settling.cells[1].text), "58.0 s");
@@ -94,6 +94,35 @@ TEST(MetricComparison, MatchesObjectsByTheirNames) {
     EXPECT_EQ(plain(row(metrics, "Duration of control", "").cells[1].difference), "0.0 s");
     const auto fahrenheit = compareMetrics(twoRuns(), 0, TemperatureUnit::Fahrenheit);
     EXPECT_EQ(plain(row(fahrenheit, "Final", "circle").cells[1].difference), "+0.54 °F");
+}
+
+// Catches times and overshoots that are compared as if the tasks were the same, and a step that does not say
+// when its target was set.
+TEST(MetricComparison, TellsStepsThatAreNotAlike) {
+    std::vector<ComparedRun> runs = twoRuns();
+    EXPECT_TRUE(unlikeSteps(runs, TemperatureUnit::Celsius).isEmpty());
+    runs[1].metrics->objects[2].step_K = 15.9; // "circle": within twice the band
+    EXPECT_TRUE(unlikeSteps(runs, TemperatureUnit::Celsius).isEmpty());
+    runs[1].metrics->objects[2].step_K = -20.0;
+    runs[1].metrics->objects[2].from_s = 120.0;
+    const QStringList told = unlikeSteps(runs, TemperatureUnit::Celsius);
+    ASSERT_EQ(told.size(), 1);
+    EXPECT_EQ(plain(told.front()).substr(0, 8), "circle: ");
+    EXPECT_NE(plain(told.front()).find("A +15.0 K"), std::string::npos) << plain(told.front());
+    EXPECT_NE(plain(told.front()).find("B \u221220.0 K at 120 s"), std::string::npos) << plain(told.front());
+    const auto metrics = compareMetrics(runs, 0, TemperatureUnit::Celsius);
+    EXPECT_EQ(plain(row(metrics, "Step", "circle").cells[0].text), "+15.0 K");
+    EXPECT_EQ(plain(row(metrics, "Step", "circle").cells[1].text), "\u221220.0 K at 120 s");
+    EXPECT_EQ(unlikeSources(runs, TemperatureUnit::Celsius), QString()) << "not known";
+    runs[0].metrics->first.source_K = kelvinFromCelsius(200.0);
+    runs[1].metrics->first.source_K = kelvinFromCelsius(197.0);
+    EXPECT_EQ(unlikeSources(runs, TemperatureUnit::Celsius), QString());
+    runs[1].metrics->first.source_K = kelvinFromCelsius(31.0);
+    EXPECT_EQ(plain(unlikeSources(runs, TemperatureUnit::Celsius)), "A 200 °C, B 31 °C");
+    runs[1].metrics->objects[2].step_K.reset();
+    EXPECT_TRUE(unlikeSteps(runs, TemperatureUnit::Celsius).isEmpty()) << "not known";
+    EXPECT_EQ(row(compareMetrics(runs, 0, TemperatureUnit::Celsius), "Step", "circle").cells[1].text,
+              QStringLiteral("start unknown"));
 }
 
 // Catches a number that is made up for what a run does not have.
@@ -122,7 +151,7 @@ TEST(MetricComparison, TruthStandsBesideTheReadings) {
     runs[0].metrics->trueObjects = runs[0].metrics->objects;
     runs[0].metrics->trueObjects[0].final_K = kelvinFromCelsius(39.6);
     const auto metrics = compareMetrics(runs, 0, TemperatureUnit::Celsius);
-    EXPECT_EQ(metrics.size(), 12U * 4U + 5U);
+    EXPECT_EQ(metrics.size(), 13U * 4U + 5U);
     EXPECT_EQ(plain(row(metrics, "Final", "circle").cells[0].text), "40.00 °C");
     const ComparedMetric& truth = row(metrics, "Final, true", "circle");
     EXPECT_EQ(plain(truth.cells[0].text), "39.60 °C");
@@ -139,7 +168,7 @@ TEST(MetricComparison, IsExportedAsNumbers) {
     runs[0].metrics->objects[1].steadyDeviation_K = 0.0625;
     const auto metrics = compareMetrics(runs, 0, TemperatureUnit::Fahrenheit);
     const QStringList lines = QString::fromStdString(comparisonCsv(runs, 0, metrics)).split('\n');
-    ASSERT_EQ(lines.size(), 7 * 4 + 5 + 1 + 2)
+    ASSERT_EQ(lines.size(), 8 * 4 + 5 + 1 + 2)
         << "with one of standard deviations and a header, ending in a line break";
     EXPECT_EQ(lines[0].toStdString(), "metric,object,A run,\"B evening, late\",B - A");
     EXPECT_TRUE(lines.contains("final (degC),circle,40,40.3,0.3")) << lines.join('\n').toStdString();
@@ -224,7 +253,7 @@ TEST(MetricComparison, TellsTheUncertaintyOfValuesAndDifferences) {
     EXPECT_EQ(plain(row(unsure, "Settling time", "circle").cells[1].difference), "\u22122.0 s, not sure");
     a.readingUncertainty_K = 2.3;
     EXPECT_EQ(plain(compareMetrics({comparedRun("A", {{"circle", a}})}, 0, TemperatureUnit::Celsius)
-                        .at(1)
+                        .at(2)
                         .cells[0]
                         .text),
               "40.0 °C ± 2.3 K");
@@ -310,7 +339,7 @@ TEST_F(ComparisonViewTest, TheReferenceIsChosen) {
     references->setCurrentIndex(1);
     emit references->activated(1);
     EXPECT_EQ(header(), (QStringList{"A run", "A \u2212 B", "B run"}));
-    EXPECT_EQ(plain(table->item(8, 1)->text()), "+4.0 s") << "settling of the circle";
+    EXPECT_EQ(plain(table->item(12, 1)->text()), "+4.0 s") << "settling of the circle";
     view.setRuns(twoRuns());
     EXPECT_EQ(references->currentText(), "B run");
     auto others = twoRuns();
@@ -327,15 +356,15 @@ TEST_F(ComparisonViewTest, IsCopiedAndExported) {
     view.setRuns(runs);
     QTest::keyClick(table, Qt::Key_C, Qt::ControlModifier);
     const QStringList copied = QApplication::clipboard()->text().split('\n');
-    ASSERT_EQ(copied.size(), 7 * 4 + 5 + 1);
+    ASSERT_EQ(copied.size(), 8 * 4 + 5 + 1);
     EXPECT_EQ(copied[0].toStdString(), "Metric\tObject\tA run\tB run\tB \u2212 A");
-    EXPECT_EQ(plain(copied[5]), "Final\tcircle\t40.00 °C\t40.30 °C\t+0.30 K");
+    EXPECT_EQ(plain(copied[9]), "Final\tcircle\t40.00 °C\t40.30 °C\t+0.30 K");
     QApplication::clipboard()->clear();
     const QSignalSpy told(&view, &ComparisonView::copied);
     QTest::mouseClick(view.findChild<QPushButton*>("comparisonCopy"), Qt::LeftButton);
     EXPECT_EQ(QApplication::clipboard()->text(), copied.join('\n'));
     ASSERT_EQ(told.count(), 1) << "a person sees nothing else of it";
-    EXPECT_TRUE(told[0][0].toString().contains("33"));
+    EXPECT_TRUE(told[0][0].toString().contains("37"));
     QSignalSpy wanted(&view, &ComparisonView::exportRequested);
     QTest::mouseClick(save, Qt::LeftButton);
     ASSERT_EQ(wanted.count(), 1);
@@ -371,9 +400,9 @@ TEST_F(ComparisonViewTest, SixRunsOfEightObjectsAreShownAtOnce) {
     QApplication::processEvents();
     RecordProperty("ms_each", std::to_string(static_cast<double>(timer.elapsed()) / 6.0));
     EXPECT_LT(timer.elapsed(), 6'000);
-    EXPECT_EQ(table->rowCount(), 7 * 8 + 5);
+    EXPECT_EQ(table->rowCount(), 8 * 8 + 5);
     EXPECT_EQ(table->columnCount(), 11);
-    EXPECT_EQ(plain(table->item(16, 10)->text()), "+5.0 s") << "settling of the first object in F";
+    EXPECT_EQ(plain(table->item(24, 10)->text()), "+5.0 s") << "settling of the first object in F";
     EXPECT_TRUE(view.grab().save("comparison.png"));
 }
 

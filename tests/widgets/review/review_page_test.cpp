@@ -251,7 +251,7 @@ TEST_F(ReviewPageTest, HeaderTellsTheFacts) {
     EXPECT_EQ(text("factController"), "Level servo");
     EXPECT_EQ(
         text("factBelief"),
-        QString("The controller began with heat rates wrong by up to \u00d74, as the experiment asks."));
+        QString("The controller begins with heat rates wrong by up to \u00d74, as the experiment asks."));
     EXPECT_EQ(text("factOutcome"), "Not all objects settled");
     EXPECT_EQ(text("factSoftware"), "Bask " BASK_VERSION);
     EXPECT_TRUE(text("factCreated").contains(':'));
@@ -423,10 +423,10 @@ TEST_F(ReviewPageTest, WithoutATruthTheReadingsStandAlone) {
     show(session);
     EXPECT_EQ(cell(0, 2).toStdString(), "40.0 °C");
     EXPECT_TRUE(child<FinalValuesTable>("finalValues")->isColumnHidden(3));
-    EXPECT_EQ(child<QTableWidget>("metricsTable")->rowCount(), 12);
+    EXPECT_EQ(child<QTableWidget>("metricsTable")->rowCount(), 13);
     QTest::keyClick(child<FinalValuesTable>("finalValues"), Qt::Key_C, Qt::ControlModifier);
     EXPECT_EQ(QApplication::clipboard()->text().split('\n').first(),
-              "Object\tTarget\tFinal\tError\tSettled after");
+              "Object\tTarget\tFinal\tError\tSettled at");
 }
 
 // Catches traces that are not those of the record.
@@ -674,22 +674,23 @@ TEST_F(ReviewPageTest, MetricsHaveTheirDefinitions) {
     show(record());
     auto* table = child<QTableWidget>("metricsTable");
     ASSERT_EQ(table->columnCount(), 3);
-    ASSERT_EQ(table->rowCount(), 17);
+    ASSERT_EQ(table->rowCount(), 18);
     EXPECT_EQ(table->horizontalHeaderItem(0)->text(), "circle");
     EXPECT_EQ(table->verticalHeaderItem(0)->text(), "Target");
-    EXPECT_EQ(table->verticalHeaderItem(1)->text(), "Final");
-    EXPECT_EQ(table->verticalHeaderItem(2)->text(), "Final, true");
-    EXPECT_EQ(table->item(1, 0)->text().replace(QChar(0x00a0), ' ').toStdString(), "40.0 °C");
-    EXPECT_EQ(table->item(2, 0)->text().replace(QChar(0x00a0), ' ').toStdString(), "40.00 °C");
-    EXPECT_EQ(table->item(3, 0)->text(), QString("%1.0 s").arg(std::ceil(18.0 * std::log(30.0))));
-    EXPECT_EQ(table->item(3, 2)->text(), "not settled");
+    EXPECT_EQ(table->verticalHeaderItem(1)->text(), "Step");
+    EXPECT_EQ(table->verticalHeaderItem(2)->text(), "Final");
+    EXPECT_EQ(table->verticalHeaderItem(3)->text(), "Final, true");
+    EXPECT_EQ(table->item(2, 0)->text().replace(QChar(0x00a0), ' ').toStdString(), "40.0 °C");
+    EXPECT_EQ(table->item(3, 0)->text().replace(QChar(0x00a0), ' ').toStdString(), "40.00 °C");
+    EXPECT_EQ(table->item(4, 0)->text(), QString("%1.0 s").arg(std::ceil(18.0 * std::log(30.0))));
+    EXPECT_EQ(table->item(4, 2)->text(), "not settled");
     for (int row = 0; row < table->rowCount(); ++row)
         EXPECT_GT(table->verticalHeaderItem(row)->toolTip().size(), 20) << row;
     page.setTemperatureUnit(TemperatureUnit::Kelvin);
     EXPECT_EQ(table->item(0, 0)->text().replace(QChar(0x00a0), ' ').toStdString(), "313.2 K");
     QTest::keyClick(table, Qt::Key_C, Qt::ControlModifier);
     const QStringList copied = QApplication::clipboard()->text().split('\n');
-    ASSERT_EQ(copied.size(), 18);
+    ASSERT_EQ(copied.size(), 19);
     EXPECT_EQ(copied[0], "\tcircle\tbunny\thand");
     EXPECT_TRUE(copied[1].startsWith("Target\t313.2"));
     QSignalSpy wanted(&page, &ReviewPage::definitionsRequested);
@@ -799,7 +800,7 @@ TEST_F(ReviewOverlayTest, RunsAreComparedWhileSomeAreOverlaid) {
 
 // Catches a comparison that lacks a run or its metrics, or has the old unit.
 TEST_F(ReviewOverlayTest, TheComparisonHasTheMetricsOfEachRun) {
-    constexpr int kSettling = 9; ///< the row, of the circle
+    constexpr int kSettling = 12; ///< the row, of the circle
     ASSERT_TRUE(page.replay()->addOverlay(other));
     const QString path = QString::fromStdString(other->facts().path);
     EXPECT_EQ(page.replay()->uncounted(), other);
@@ -807,7 +808,7 @@ TEST_F(ReviewOverlayTest, TheComparisonHasTheMetricsOfEachRun) {
     ASSERT_EQ(comparison->columnCount(), 3);
     EXPECT_EQ(heading(0), "A 2026-03-14 morning");
     EXPECT_EQ(heading(1), "B evening");
-    EXPECT_EQ(comparison->item(kSettling, 0)->text(), child<QTableWidget>("metricsTable")->item(3, 0)->text())
+    EXPECT_EQ(comparison->item(kSettling, 0)->text(), child<QTableWidget>("metricsTable")->item(4, 0)->text())
         << "counted already";
     EXPECT_EQ(comparison->item(kSettling, 1)->text(), QString(QChar(0x2014)));
     const RunMetrics metrics = runMetrics(evening);

@@ -132,6 +132,21 @@ TEST(ControllerPanel, SaysWhatTheStagedGainsPromise) {
     EXPECT_TRUE(said->text().contains(QStringLiteral("60 s"))) << said->text().toStdString(); // ln 20 / 0.05
 }
 
+// Catches heat rates that are wrong on purpose, of which the page that the run is watched on says nothing.
+TEST(ControllerPanel, SaysThatHeatRatesAreWrongOnPurpose) {
+    Shown shown;
+    EXPECT_EQ(shown.staged(), QString());
+    shown.panel.setWrongRates(4.0);
+    EXPECT_TRUE(shown.staged().contains(QStringLiteral("\u00d74"))) << shown.staged().toStdString();
+    const auto* said = shown.panel.findChild<QLabel*>(QStringLiteral("gainsStaged"));
+    EXPECT_TRUE(said->toolTip().contains(QStringLiteral("wrong by up to \u00d74")));
+    shown.type("level_servo.time_constant", "12");
+    EXPECT_TRUE(shown.staged().contains(QStringLiteral("Not applied")));
+    shown.button("gainsRevert")->click();
+    shown.panel.setWrongRates(1.0);
+    EXPECT_EQ(shown.staged(), QString());
+}
+
 // Catches two ways of typing the same gains that drift apart.
 TEST(ControllerPanel, FrequencyAndDampingAreTheGainsInOtherWords) {
     Shown shown;
