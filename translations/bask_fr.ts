@@ -11202,12 +11202,12 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <translation>Maintien en %1 ; à %2 de la limite la plus proche : %3.</translation>
     </message>
     <message>
-        <source>Predicted: a run from the start pose, over a source at its set point, does not settle within %1 (simulated).</source>
-        <translation>Prévision : partant de la pose de départ, au-dessus d’une source à sa consigne, un essai ne se stabilise pas en moins de %1 (simulé).</translation>
+        <source>Predicted: a run from the start pose does not settle within %1 (simulated).</source>
+        <translation>Prévision : partant de la pose de départ, un essai ne se stabilise pas en moins de %1 (simulé).</translation>
     </message>
     <message>
-        <source>Predicted: a run from the start pose, over a source at its set point, has settled after %1 (simulated).</source>
-        <translation>Prévision : partant de la pose de départ, au-dessus d’une source à sa consigne, un essai est stabilisé au bout de %1 (simulé).</translation>
+        <source>Predicted: a run from the start pose has settled after %1 (simulated).</source>
+        <translation>Prévision : partant de la pose de départ, un essai est stabilisé au bout de %1 (simulé).</translation>
     </message>
 </context>
 <context>

@@ -11176,12 +11176,12 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <translation>在 %1 处保持；距最近的限值 %2：%3。</translation>
     </message>
     <message>
-        <source>Predicted: a run from the start pose, over a source at its set point, does not settle within %1 (simulated).</source>
-        <translation>预测：热源处于设定值时，从起始位姿开始的运行在 %1 内不能稳定（仿真）。</translation>
+        <source>Predicted: a run from the start pose does not settle within %1 (simulated).</source>
+        <translation>预测：从起始位姿开始的运行在 %1 内不能稳定（仿真）。</translation>
     </message>
     <message>
-        <source>Predicted: a run from the start pose, over a source at its set point, has settled after %1 (simulated).</source>
-        <translation>预测：热源处于设定值时，从起始位姿开始的运行在 %1 后稳定（仿真）。</translation>
+        <source>Predicted: a run from the start pose has settled after %1 (simulated).</source>
+        <translation>预测：从起始位姿开始的运行在 %1 后稳定（仿真）。</translation>
     </message>
 </context>
 <context>

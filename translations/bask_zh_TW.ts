@@ -11176,12 +11176,12 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <translation>在 %1 處保持；距最近的限值 %2：%3。</translation>
     </message>
     <message>
-        <source>Predicted: a run from the start pose, over a source at its set point, does not settle within %1 (simulated).</source>
-        <translation>預測：熱源處於設定值時，從起始位姿開始的運轉在 %1 內不能穩定（模擬）。</translation>
+        <source>Predicted: a run from the start pose does not settle within %1 (simulated).</source>
+        <translation>預測：從起始位姿開始的運轉在 %1 內不能穩定（模擬）。</translation>
     </message>
     <message>
-        <source>Predicted: a run from the start pose, over a source at its set point, has settled after %1 (simulated).</source>
-        <translation>預測：熱源處於設定值時，從起始位姿開始的運轉在 %1 後穩定（模擬）。</translation>
+        <source>Predicted: a run from the start pose has settled after %1 (simulated).</source>
+        <translation>預測：從起始位姿開始的運轉在 %1 後穩定（模擬）。</translation>
     </message>
 </context>
 <context>

@@ -525,11 +525,9 @@ QString TargetsPage::predictionText() const {
     if (!m_prediction_s)
         return tr("Predicting how long a run takes\u2026");
     if (!*m_prediction_s)
-        return tr("Predicted: a run from the start pose, over a source at its set point, does not settle "
-                  "within %1 (simulated).")
+        return tr("Predicted: a run from the start pose does not settle within %1 (simulated).")
             .arg(formatDuration(m_experiment.simulation.durationLimit_s));
-    return tr("Predicted: a run from the start pose, over a source at its set point, has settled after %1 "
-              "(simulated).")
+    return tr("Predicted: a run from the start pose has settled after %1 (simulated).")
         .arg(formatDuration(**m_prediction_s));
 }
 
